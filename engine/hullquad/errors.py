@@ -1,0 +1,64 @@
+"""What can go wrong, as values: a code, a place and numbers; the sentences are in one table."""
+
+from typing import Any
+
+from hullquad.sentences import SENTENCES
+
+
+class HullquadError(Exception):
+    """Something the user can mend.
+
+    Parameters
+    ----------
+    code : str
+        Key of `sentences.SENTENCES` up to a colon: ``E_HOLE_OUTSIDE``.
+    place : str
+        Where: a path in the document (``/plates/0/holes/1``), a file, or ``line L column C``.
+    case : str
+        Which of the code's sentences, when it has several: ``E_JSON`` + ``syntax``.
+    numbers
+        What the sentence quotes, by name.
+    """
+
+    def __init__(self, code: str, place: str, case: str = "", **numbers: Any) -> None:
+        super().__init__(code, place, case, numbers)
+        self.code = code
+        self.place = place
+        self.case = case
+        self.numbers = numbers
+
+    @property
+    def key(self) -> str:
+        """Key of the sentence: ``E_JSON`` or ``E_JSON:syntax``."""
+        return f"{self.code}:{self.case}" if self.case else self.code
+
+    @property
+    def text(self) -> str:
+        """The English sentence: what is wrong, where, what to do."""
+        return SENTENCES[self.key].format(**self.numbers)
+
+    def __str__(self) -> str:
+        return f"{self.code} at {self.place}: {self.text}"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _rebuilt, (type(self), self.code, self.place, self.case, self.numbers)
+
+
+class PlateError(HullquadError):
+    """A plate document that cannot be used."""
+
+
+class FileError(HullquadError):
+    """A file that cannot be read or written."""
+
+
+class MeshError(HullquadError):
+    """A mesh that cannot be used."""
+
+
+class MeshingError(HullquadError):
+    """A plate that could not be meshed."""
+
+
+def _rebuilt(kind: type[HullquadError], code: str, place: str, case: str, numbers: dict[str, Any]) -> HullquadError:
+    return kind(code, place, case, **numbers)

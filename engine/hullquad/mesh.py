@@ -1,0 +1,41 @@
+"""The mesh: quads and triangles on a plate, as one value that never changes."""
+
+import attrs
+import numpy as np
+
+from hullquad.arrays import Floats, floats
+from hullquad.surface import Plane
+from hullquad.topology import Topology
+
+
+@attrs.frozen(eq=False, kw_only=True)
+class Mesh:
+    """Quads and triangles in space, with all that is known of them.
+
+    Moving nodes gives a new mesh that shares the topology.
+    """
+
+    points: Floats = attrs.field(converter=floats)
+    """(N, 3) [mm]"""
+    topology: Topology
+    target_size: float
+    """Length that an edge should have [mm]."""
+    surface: Plane | None = None
+    """What the nodes lie on; None for a mesh of unknown origin that is not flat."""
+    parameters: Floats | None = attrs.field(default=None, converter=attrs.converters.optional(floats))
+    """(N, 2) places of the nodes on `surface`."""
+    lines: Floats = attrs.field(factory=lambda: np.empty((0, 2, 3)), converter=floats)
+    """(L, 2, 3) ends of the plate's stiffener and seam lines [mm]."""
+    plate_id: str = ""
+    thickness: float | None = None
+    """[mm]"""
+    input_hash: str = ""
+    """SHA-256 of the plate document the mesh was made from."""
+
+    def with_parameters(self, parameters: Floats) -> "Mesh":
+        """The same mesh, its free nodes at `parameters` (N, 2); every other node keeps its bits."""
+        if self.surface is None or self.parameters is None:
+            raise ValueError("a mesh without a surface has no parameters")
+        free = self.topology.is_free[:, None]
+        points = np.where(free, self.surface.points(parameters), self.points)
+        return attrs.evolve(self, points=points, parameters=np.where(free, parameters, self.parameters))

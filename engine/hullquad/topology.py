@@ -1,0 +1,118 @@
+"""What does not change when nodes move: the elements, their neighbours, labels and the state of each node."""
+
+from enum import IntEnum
+from functools import cached_property
+
+import attrs
+import numpy as np
+from scipy import sparse
+from scipy.sparse.csgraph import connected_components
+
+from hullquad.arrays import Bools, Bytes, Ints, Longs, ints, longs, small_ints
+
+
+class NodeState(IntEnum):
+    """What an algorithm may do with a node."""
+
+    FREE = 0
+    CONTOUR = 1
+    """On the outline or a hole: shared with neighbours, never moved."""
+    FIXED = 2
+    """Inside, but given by the plate: a stiffener's end, a fixed point."""
+    ON_LINE = 3
+    """On a followed line: may slide along it."""
+    PINNED = 4
+    """Held by the user."""
+
+
+@attrs.frozen(eq=False, kw_only=True)
+class Topology:
+    """Elements, labels and node states of a mesh; every array is read-only."""
+
+    elements: Ints = attrs.field(converter=ints)
+    """(E, 4) nodes of each element in order; a triangle ends with -1."""
+    node_labels: Longs = attrs.field(converter=longs)
+    """(N,) as in the file, else from 1."""
+    element_labels: Longs = attrs.field(converter=longs)
+    """(E,) as in the file, else from 1."""
+    node_states: Bytes = attrs.field(converter=small_ints)
+    """(N,) values of `NodeState`."""
+    node_lines: Ints = attrs.field(converter=ints)
+    """(N,) the mesh's line that a node slides on, else -1."""
+
+    @cached_property
+    def is_triangle(self) -> Bools:
+        """(E,) which elements are triangles."""
+        return self.elements[:, 3] < 0
+
+    @cached_property
+    def quads(self) -> Ints:
+        """(Q, 4) nodes of the quads, in the order of the elements."""
+        return ints(self.elements[~self.is_triangle])
+
+    @cached_property
+    def triangles(self) -> Ints:
+        """(T, 3) nodes of the triangles, in the order of the elements."""
+        return ints(self.elements[self.is_triangle, :3])
+
+    @cached_property
+    def is_free(self) -> Bools:
+        """(N,) which nodes an optimiser may move."""
+        return self.node_states == NodeState.FREE
+
+
+def topology(elements: Ints, node_states: Bytes, node_lines: Ints | None = None) -> Topology:
+    """Topology of (E, 4) elements with nodes and elements labelled from 1."""
+    nodes = len(node_states)
+    return Topology(
+        elements=elements,
+        node_labels=np.arange(1, nodes + 1),
+        element_labels=np.arange(1, len(elements) + 1),
+        node_states=node_states,
+        node_lines=np.full(nodes, -1) if node_lines is None else node_lines,
+    )
+
+
+def half_edges(elements: Ints) -> tuple[Ints, Longs]:
+    """Every element's edges in its own direction: (H, 2) nodes and (H,) element."""
+    closing = np.where(elements[:, 3:] < 0, elements[:, :1], elements[:, 3:])
+    ends = np.concatenate([elements[:, 1:3], closing, elements[:, :1]], axis=1)
+    sides = np.stack([elements, ends], axis=2).reshape(-1, 2)
+    owners = np.repeat(np.arange(len(elements)), 4)
+    real = sides[:, 0] >= 0
+    return ints(sides[real]), longs(owners[real])
+
+
+def rim_states(elements: Ints, nodes: int) -> Bytes:
+    """(N,) node states of a mesh that tells none: contour where an edge has not two elements, else free."""
+    sides, _ = half_edges(elements)
+    edges, counts = np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)
+    states = np.full(nodes, NodeState.FREE, dtype=np.int8)
+    states[edges[counts != 2].ravel()] = NodeState.CONTOUR
+    return small_ints(states)
+
+
+def reversed_elements(elements: Ints) -> Bools:
+    """(E,) which elements run against the majority of those they are connected with.
+
+    Neighbours agree when they run through their common edge in opposite directions. Edges with more than
+    two elements (T-joints) connect nothing; a one-sided (Moebius) part has no reversed elements.
+    """
+    sides, owners = half_edges(elements)
+    count = len(elements)
+    order = np.lexsort((sides.max(axis=1), sides.min(axis=1)))
+    sides, owners = sides[order], owners[order]
+    key = np.sort(sides, axis=1)
+    starts = np.flatnonzero(np.r_[True, np.any(key[1:] != key[:-1], axis=1)]) if len(key) else np.empty(0, int)
+    first = starts[np.diff(np.r_[starts, len(key)]) == 2]
+    one, other = owners[first], owners[first + 1]
+    against = sides[first, 0] == sides[first + 1, 0]
+    # each element stands twice in this graph, as it is and turned over; an edge joins what agrees
+    rows = np.concatenate([one, one + count])
+    columns = np.concatenate([np.where(against, other + count, other), np.where(against, other, other + count)])
+    graph = sparse.coo_array((np.ones(len(rows), dtype=bool), (rows, columns)), shape=(2 * count, 2 * count))
+    _, part = connected_components(graph, directed=False)
+    as_is, turned = part[:count], part[count:]
+    sizes = np.bincount(as_is, minlength=2 * count)
+    lesser = (sizes[as_is] < sizes[turned]) | ((sizes[as_is] == sizes[turned]) & (as_is > turned))
+    return np.asarray(lesser & (as_is != turned))
