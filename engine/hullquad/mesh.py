@@ -32,6 +32,11 @@ class Mesh:
     input_hash: str = ""
     """SHA-256 of the plate document the mesh was made from."""
 
+    @property
+    def normals(self) -> Floats:
+        """(1, 3) direction that elements must face; zero where only their own sense is known."""
+        return np.zeros((1, 3)) if self.surface is None else self.surface.normal[None]
+
     def with_parameters(self, parameters: Floats) -> "Mesh":
         """The same mesh, its free nodes at `parameters` (N, 2); every other node keeps its bits."""
         if self.surface is None or self.parameters is None:

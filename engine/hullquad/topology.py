@@ -43,7 +43,7 @@ class Topology:
     @cached_property
     def is_triangle(self) -> Bools:
         """(E,) which elements are triangles."""
-        return self.elements[:, 3] < 0
+        return np.less(self.elements[:, 3], 0)
 
     @cached_property
     def quads(self) -> Ints:
@@ -58,7 +58,7 @@ class Topology:
     @cached_property
     def is_free(self) -> Bools:
         """(N,) which nodes an optimiser may move."""
-        return self.node_states == NodeState.FREE
+        return np.equal(self.node_states, NodeState.FREE)
 
 
 def topology(elements: Ints, node_states: Bytes, node_lines: Ints | None = None) -> Topology:

@@ -1,0 +1,39 @@
+"""Why a run ended, and what to do about it."""
+
+import attrs
+
+
+@attrs.frozen
+class Stop:
+    """A reason to stop, with advice."""
+
+    name: str
+    reason: str
+    advice: str
+
+
+NO_FREE_NODES = Stop(
+    "no_free_nodes",
+    "every node is given by the plate",
+    "A smaller element size gives nodes that can be moved.",
+)
+NO_QUADS = Stop(
+    "no_quads",
+    "the mesh has only triangles, and the objective sums quads",
+    "Join the triangles to quads first.",
+)
+GRADIENT = Stop(
+    "gradient",
+    "the gradient is zero: the sum is at an optimum or a saddle",
+    "Nothing is left to do for this metric.",
+)
+GAIN = Stop(
+    "gain",
+    "the best sum has hardly grown over the last iterations",
+    "Converged for this step length; a smaller c can gain a little more.",
+)
+ITERATIONS = Stop(
+    "iterations",
+    "the number of iterations that was asked for is done",
+    "Run again from here, or allow more iterations, while the sum still grows.",
+)
