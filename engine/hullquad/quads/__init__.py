@@ -1,0 +1,1 @@
+"""From triangles to quads: pairs of neighbours, the paper's front, and better pairings."""
