@@ -14,10 +14,9 @@ SENTENCES: dict[str, str] = {
     "E_FILE:no_folder": "there is no folder {folder}; make it first, or choose another",
     "E_FILE:protected_folder": "the folder {folder} is protected against writing; choose another",
     "E_FILE:protected": "the file is protected against writing; choose another name or remove the protection",
-    "E_SUFFIX:unknown": "the ending {suffix} is not known; known are {known}",
-    "E_SUFFIX:mesh": "files ending in {suffix} hold no mesh; meshes are read from {known}",
-    "E_SUFFIX:plates": "files ending in {suffix} hold no plates; plates are read from {known}",
-    "E_SUFFIX:output": "meshes are not written to files ending in {suffix}; choose one of {known}",
+    "E_SUFFIX:read_mesh": "no mesh is read from files with the ending {suffix}, only from {known}",
+    "E_SUFFIX:read_plates": "no plates are read from files with the ending {suffix}, only from {known}",
+    "E_SUFFIX:write_mesh": "no mesh is written to files with the ending {suffix}, only to {known}",
     # meshes
     "E_EMPTY_MESH": "the mesh has no elements; there is nothing to judge or improve",
     "E_MESH:coordinate": "node {node} has a coordinate that is no number or beyond 1e15 mm (so have {count} nodes); "
@@ -57,4 +56,14 @@ SENTENCES: dict[str, str] = {
     "E_VTU:axes": "the axes in the data array 'plane' are not of unit length and square to each other",
     "E_VTU:moved": "a node is {away:.3g} mm from where 'plane' and 'parameters' put it: the mesh was moved by another "
     "program; remove 'hullquad version', 'node state' and 'node line' to have it taken as it is",
+    # worker
+    "E_WORKER": "the computation broke down ({reason}) and was ended, nothing else is affected; check the input here, "
+    "and report the fault together with it if it is sound",
+    "E_CRASH": "the computation crashed ({ending}) and was ended, nothing else is affected; check the input here for "
+    "damage, for crossing edges and for points that nearly coincide",
+    "E_TIME": "the computation took longer than {seconds:g} s and was ended; choose a coarser size, simplify the input "
+    "here, or allow more time",
+    "E_MEMORY": "the computation needs more memory than the {memory:.1f} GiB it may take; choose a coarser size, "
+    "or divide the input here",
+    "E_CANCELLED": "the computation was cancelled; start it again when you need its result",
 }
