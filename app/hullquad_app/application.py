@@ -1,0 +1,28 @@
+"""The life of the desktop program, from QApplication to exit code."""
+
+import signal
+import sys
+from collections.abc import Sequence
+from pathlib import Path
+
+from PySide6.QtWidgets import QApplication
+
+from hullquad import __version__
+from hullquad_app.logs import log_folder, start_logging
+from hullquad_app.window import MainWindow
+
+
+def show(files: Sequence[str]) -> int:
+    """Show the window with `files` opened until it is closed; gives the exit code."""
+    application = QApplication(sys.argv[:1])
+    application.setApplicationName("hullquad")
+    application.setApplicationDisplayName("HullQuad")
+    application.setApplicationVersion(__version__)
+    application.setStyle("Fusion")
+    start_logging(log_folder())
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl+C in the terminal; Qt's loop would never look
+    window = MainWindow()
+    window.show()
+    for file in files:
+        window.open(Path(file))
+    return application.exec()

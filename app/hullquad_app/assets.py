@@ -1,0 +1,32 @@
+"""The files that come with the program: in a checkout beside the sources, installed inside the package."""
+
+import json
+from pathlib import Path
+
+import attrs
+
+_INSTALLED = Path(__file__).parent / "assets"
+_CHECKOUT = Path(__file__).parents[2] / "assets"
+FOLDER = _INSTALLED if _INSTALLED.is_dir() else _CHECKOUT
+"""Where `plates` is."""
+
+
+@attrs.frozen
+class Sample:
+    """A plate document that comes with the program."""
+
+    path: Path
+    name: str
+    titles: tuple[str, ...]
+    """Of its plates."""
+
+
+def samples() -> list[Sample]:
+    """Sample documents, by file name."""
+    return [_sample(path) for path in sorted((FOLDER / "plates").glob("*.json"))]
+
+
+def _sample(path: Path) -> Sample:
+    document = json.loads(path.read_text(encoding="utf-8"))
+    titles = (plate.get("title", plate["id"]) for plate in document["plates"])
+    return Sample(path, document["name"], tuple(titles))
