@@ -45,7 +45,18 @@ class HullquadError(Exception):
 
 
 class PlateError(HullquadError):
-    """A plate document that cannot be used."""
+    """A plate document that cannot be used; `others` among the numbers counts its further faults."""
+
+    @property
+    def others(self) -> int:
+        """Number of further faults in the same document."""
+        return int(self.numbers.get("others", 0))
+
+    @property
+    def text(self) -> str:
+        """The English sentence, and how many further faults there are."""
+        more = "MORE:one" if self.others == 1 else "MORE"
+        return super().text + (SENTENCES[more].format(others=self.others) if self.others else "")
 
 
 class FileError(HullquadError):

@@ -3,6 +3,8 @@
 SENTENCES: dict[str, str] = {
     # metrics and optimisation
     "E_METRIC": "there is no metric of this name; the metrics are {known}",
+    "E_PLATE": "there is no plate {id} in the document; its plates are {known}",
+    "E_CURVED": "curved surfaces: not yet; mesh the plane plates of the document",
     "E_CURVED:optimize": "the mesh is not flat, and curved surfaces: not yet; optimise plane plates only",
     # files
     "E_FILE:missing": "there is no such file; check the name and the folder",
@@ -66,4 +68,143 @@ SENTENCES: dict[str, str] = {
     "E_MEMORY": "the computation needs more memory than the {memory:.1f} GiB it may take; choose a coarser size, "
     "or divide the input here",
     "E_CANCELLED": "the computation was cancelled; start it again when you need its result",
+    # triangulation
+    "E_CONTOUR:numbers": "the contour is not given as two numbers for each node; correct its coordinates",
+    "E_CONTOUR:far": "the node ({u:.7g}, {v:.7g}) is no point within 1e12 mm of the origin; correct its coordinates",
+    "E_CONTOUR:loops": "the contour is no row of loops with three nodes or more each; give every loop at least three",
+    "E_CONTOUR:closing": "a loop repeats its first node at its end ({u:.7g}, {v:.7g}); leave the last one out",
+    "E_CONTOUR:coincident": "{count} nodes nearly coincide with another one, as at ({u:.7g}, {v:.7g}); remove or "
+    "move one",
+    "E_CONTOUR:touching": "the node ({u:.7g}, {v:.7g}) touches an edge that is not its own; move it, or join the "
+    "edges there",
+    "E_CONTOUR:crossing": "the contour crosses itself at ({u:.7g}, {v:.7g}), or a hole there is not inside it; move "
+    "the hole, or choose a smaller size if the divided edges cut what the true ones leave apart",
+    "E_CONTOUR:turned": "the loop that begins at ({u:.7g}, {v:.7g}) runs the wrong way round; reverse it: "
+    "counter-clockwise outside, clockwise around holes",
+    "E_CONTOUR:outside": "the fixed point ({u:.7g}, {v:.7g}) lies outside of the plate or in a hole; move or remove it",
+    "E_TRIANGLE:area": "the largest area of a triangle is {area}; it must be a number above 0",
+    "E_TRIANGLE:angle": "the smallest angle of a triangle is {angle:g} degrees; it must be from 0 to {most:g}",
+    "E_TRIANGLE:many": "about {triangles:.2g} triangles would be needed, {most:g} are allowed; choose a larger size",
+    "E_TRIANGLE:given_up": "no triangles could be made: edges of very different lengths lie beside each other; divide "
+    "the contour more evenly, or choose a larger size",
+    "E_TRIANGLE:moved": "the triangles do not have the nodes of the contour; report the fault together with this plate",
+    "E_TRIANGLE:unused": "{count} nodes belong to no triangle; look for points that nearly touch the contour here",
+    "E_TRIANGLE:contour": "the triangles do not end at the contour; look for edges that nearly touch each other here",
+    "E_TRIANGLE:areas": "the triangles do not cover the plate exactly; look for edges that nearly touch each "
+    "other here",
+    # plates
+    "MORE": " (and {others} more errors)",
+    "MORE:one": " (and 1 more error)",
+    "E_FILE:encoding": "byte {byte} is not UTF-8; save the document as UTF-8 text",
+    "E_JSON:empty": "the file is empty; a plate document is expected",
+    "E_JSON:syntax": "this is no JSON ({reason}); look here for a missing comma, quote or bracket",
+    "E_JSON:deep": "lists or objects lie too deep in each other for a plate document; write it again",
+    "E_JSON:repeated": "the key {key} is given twice; remove one of the two",
+    "E_FORMAT": 'the format is {shown}; a plate document has "format": "hullplate"',
+    "E_VERSION": "the version is {shown}; this program reads version {known}",
+    "E_VERSION:newer": "version {shown} was made by a newer program; this one reads version {known}: update it, or "
+    "save "
+    "the document for version {known}",
+    "E_TYPE:document": "the document is {shown}, but a plate document is an object with a format, units and plates",
+    "E_TYPE:object": "an object in braces belongs here, not {shown}",
+    "E_TYPE:list": "a list in square brackets belongs here, not {shown}",
+    "E_TYPE:text": "a text in quotes belongs here, not {shown}",
+    "E_TYPE:name": "the name is empty; give the document a name",
+    "E_TYPE:surrogate": "the text {shown} contains half a character; type it again",
+    "E_TYPE:flag": "true or false belongs here, not {shown}",
+    **dict.fromkeys(
+        [
+            f"{code}:missing"
+            for code in (
+                *("E_TYPE", "E_UNITS", "E_EMPTY", "E_ID", "E_MATERIAL", "E_THICKNESS"),
+                *("E_FRAME", "E_OUTER", "E_SIZE", "E_POINT", "E_ELLIPSE", "E_SURFACE"),
+            )
+        ],
+        "{key} is missing; add it",
+    ),
+    **dict.fromkeys(
+        [f"{code}:positive" for code in ("E_MATERIAL", "E_THICKNESS", "E_SIZE", "E_ELLIPSE", "E_SURFACE")],
+        "the value is {shown}; it must be above 0",
+    ),
+    "E_KEY": "there is no such key here; remove it, known are {known}",
+    "E_KEY:alike": "there is no such key here; did you mean {alike}?",
+    "E_UNITS": "the unit is {shown}; it must be {known}",
+    "E_EMPTY": "the document has no plates; add at least one",
+    "E_ID": "{shown} is no id; use 1 to 64 letters, digits, points, hyphens and underscores",
+    "E_DUP_ID": "an earlier plate has the id {shown} too; give every plate its own",
+    "E_NUMBER:kind": "a number belongs here, not {shown}; write it with digits and without quotes",
+    "E_NUMBER:large": "{shown} is no number that a plate can have; correct it",
+    "E_NUMBER:bulge": "with a bulge of {shown} the arc is a full circle, the most is {most:g}; divide it into two arcs",
+    "E_POINT:count": "{count} coordinates in square brackets belong here, not {shown}",
+    "E_POINT:far": "the point ({shown}) is more than 1000 km from the origin; correct its coordinates or the units",
+    "E_POINT:range": "the point ({u:.7g}, {v:.7g}) is outside of the surface, whose parameters run over 0..1; move it "
+    "inside",
+    "E_VERTEX:missing": 'the vertex has no point; give it one: "p": [u, v]',
+    "E_VERTEX:both": "the edge has a bulge and an ellipse; remove one of the two",
+    "E_FRAME": "the axes u (length {u:.7g}) and v (length {v:.7g}) must be 1 long and square to each other (u.v is "
+    "{dot:.3g}, not 0); correct them",
+    "E_MATERIAL:unknown": "there is no material {shown}; choose one of {known}, or add it to the materials",
+    "E_MATERIAL:poisson": "Poisson's ratio is {shown}; it must be below 0.5",
+    "E_DIVISIONS": "{shown} is no number of segments; use a whole number from 1 to {most}",
+    "E_DIVISIONS:edges": "there are {count} numbers for the {wanted} edges of the loop; give one for each edge",
+    "E_DIVISIONS:holes": "there are {count} lists for {wanted} holes; give one for each hole",
+    "E_OUTER": "the loop has too few vertices ({count}); it needs three, or two and a round edge between them",
+    "E_SHORT_EDGE": "the edge that leaves ({u:.7g}, {v:.7g}) is {length:.3g} long, the least is {least:g}; remove the "
+    "vertex, or move it (the first vertex is not repeated at the end)",
+    "E_SELF_INTERSECT": "the loop crosses or touches itself at ({u:.7g}, {v:.7g}); correct the vertices or the arcs "
+    "there",
+    "E_SELF_INTERSECT:neck": "the loop touches itself at ({u:.7g}, {v:.7g}) within {least:g}; move the vertex away "
+    "from "
+    "the edge, or divide the plate there",
+    "E_AREA": "the loop at ({u:.7g}, {v:.7g}) encloses no area; correct its vertices",
+    "E_ELLIPSE:off": "the end ({u:.7g}, {v:.7g}) of the edge is {percent:.2g} % off its ellipse, 0.1 % are allowed; "
+    "correct the ellipse or move the vertex",
+    "E_ELLIPSE:thin": "the half axes {a:g} and {b:g} differ more than {most:g} times; draw the edge straight",
+    "E_HOLE_OUTSIDE": "the hole at ({u:.7g}, {v:.7g}) is outside of the plate; move or remove it",
+    "E_HOLE_OUTSIDE:crossing": "the hole at ({u:.7g}, {v:.7g}) crosses or touches the outer contour; move it "
+    "inside, or "
+    "cut the contour there",
+    "E_HOLE_OVERLAP": "the hole at ({u:.7g}, {v:.7g}) overlaps or touches hole {hole}; move it, or join the two",
+    "E_LIGAMENT:contour": "only {width:.2g} are left between the hole at ({u:.7g}, {v:.7g}) and the outer contour, the "
+    "least is {least:g}; move the hole, or cut the contour there",
+    "E_LIGAMENT:hole": "only {width:.2g} are left between the hole at ({u:.7g}, {v:.7g}) and hole {hole}, the least is "
+    "{least:g}; move it, or join the two",
+    "E_SHORT_LINE": "the line at ({u:.7g}, {v:.7g}) is {length:.3g} long, the least is {least:g}; remove it or move "
+    "an end",
+    "E_LINE_OUTSIDE": "the line leaves the plate, it reaches ({u:.7g}, {v:.7g}); end it on the contour",
+    "E_POINT_OUTSIDE": "the point ({u:.7g}, {v:.7g}) is outside of the plate or in a hole; move or remove it",
+    "E_SURFACE:type": "the surface is {shown}; known are {known}",
+    "E_SURFACE:axis": 'the axis is {shown}; the axis of a cylinder is "u"',
+    "E_SURFACE:param": 'only surfaces of type "bezier" have parameters over 0..1; remove param or change the surface',
+    "E_SURFACE:degree": "the degree is {shown}; it is a list of two whole numbers from 1",
+    "E_SURFACE:grid": "the control points must be rows of the same length, with at least one point",
+    "E_SURFACE:control": "the degree asks for {rows} rows of {columns} control points; correct the one or the other",
+    "E_TOO_BIG": "about {elements:.2g} elements of size {size:g} mm would be needed, {most:g} are allowed; choose a "
+    "size "
+    "above {least:.2g} mm",
+    "E_COARSE": "with segments of {size:g} mm the straight sides cut something at ({u:.7g}, {v:.7g}) that the true "
+    "edges "
+    "leave apart; choose a smaller size: {helping:.4g} mm helps",
+    "E_COARSE:always": "with segments of {size:g} mm the straight sides cut something at ({u:.7g}, {v:.7g}) that "
+    "the true "
+    "edges leave apart; choose a smaller size there, with larger numbers of divisions",
+    "W_THICKNESS": "the plate is {thickness:g} mm thick; check the value and the units",
+    "W_UNITS": "the plate's largest extent is {extent:g} mm; check the coordinates and the units",
+    "W_LINE_HOLE": "the line crosses hole {hole}; it is cut there",
+    "W_CORNER": "the corner at ({u:.7g}, {v:.7g}) has only {angle:.3g} degrees; no mesh is good there: cut the tip off",
+    "W_SHORT_EDGE": "the edge is {length:.4g} mm long, less than a fifth of the target size ({least:.4g} mm), as are "
+    "{count} of this loop; the elements there will be small",
+    "W_SMALL_HOLE": "the hole is {width:.4g} mm wide, less than the target size ({size:g} mm); the elements around "
+    "it will "
+    "be small: leave it out, or choose a smaller size",
+    "W_ODD": "the contour has {count} edges with segments of {size:g} mm, an odd number: one triangle is unavoidable; "
+    "change the division of one edge by one",
+    "W_SNAP": "the point was moved by {distance:.2g} mm to the node at ({u:.7g}, {v:.7g})",
+    "W_NEAR": "the fixed point ({u:.7g}, {v:.7g}) is only {distance:.2g} mm from the contour or from another one, with "
+    "elements of {size:g} mm; the elements between will be slivers: move it there, or away",
+    "W_COARSE": "with segments of the target size ({size:g} mm) the straight sides cut something at ({u:.7g}, "
+    "{v:.7g}); "
+    "a smaller size is needed for meshing: {helping:.4g} mm helps",
+    "W_COARSE:always": "with segments of the target size ({size:g} mm) the straight sides cut something at ({u:.7g}, "
+    "{v:.7g}); larger numbers of divisions are needed for meshing",
 }
