@@ -1,0 +1,131 @@
+"""Where the fixed nodes of a plate lie: on which edge of its contour, or inside."""
+
+from collections.abc import Iterator
+
+import attrs
+import numpy as np
+import shapely
+from scipy.spatial import cKDTree
+
+from hullquad.arrays import Floats, floats
+from hullquad.curves import Curve, canonical, nearest, polyline
+from hullquad.plate import Plate
+
+_EXACT = 1e-6
+"""Nearer than this a point lies on its edge as it is, and no snap is told [mm]."""
+
+
+@attrs.frozen(eq=False)
+class Anchor:
+    """A fixed node on an edge, between its ends."""
+
+    length: float
+    """From the start of the edge's canonical curve [mm]."""
+    point: Floats = attrs.field(converter=floats)
+
+
+@attrs.frozen(eq=False)
+class Snap:
+    """A line's end or a fixed point whose node is not exactly where the document says."""
+
+    place: str
+    point: Floats = attrs.field(converter=floats)
+    """(2,) as in the document."""
+    node: Floats = attrs.field(converter=floats)
+    """(2,) where the node is."""
+
+    @property
+    def distance(self) -> float:
+        """Length of the way between the two [mm]."""
+        return float(np.hypot(*(self.node - self.point)))
+
+
+@attrs.frozen(eq=False)
+class Anchors:
+    """All fixed nodes of a plate but the vertices of its contour."""
+
+    on_edges: dict[tuple[int, int], list[Anchor]]
+    """By loop and edge, in the order of the edge's canonical curve."""
+    inside: Floats = attrs.field(converter=floats)
+    """(K, 2)"""
+    inside_places: tuple[str, ...]
+    snaps: tuple[Snap, ...]
+
+
+def anchors(plate: Plate) -> Anchors:
+    """Fixed nodes from the ends of stiffeners and seams and from the fixed points, in the order of the document.
+
+    An end nearer than the snap tolerance to a vertex is that vertex, to an edge lies on it, to an earlier fixed
+    node is that node. An end within a hole is no node.
+    """
+    named = list(_points(plate))
+    candidates = _nearest_edges(plate, np.array([point for _, point in named]).reshape(-1, 2))
+    on_edges: dict[tuple[int, int], list[Anchor]] = {}
+    inside: list[tuple[str, Floats]] = []
+    snaps = []
+    for (place, point), key in zip(named, candidates, strict=True):
+        if key is not None:
+            curve = canonical(plate.loops[key[0]].curves[key[1]])
+            snaps.append(Snap(place, point, _anchored(curve, point, on_edges.setdefault(key, []), plate.snap)))
+        elif plate.region.intersects(shapely.Point(point)):
+            inside.append((place, point))
+    inside, merged = _merged(inside, plate.snap)
+    return Anchors(
+        {key: sorted(found, key=lambda anchor: anchor.length) for key, found in on_edges.items() if found},
+        np.array([point for _, point in inside]).reshape(-1, 2),
+        tuple(place for place, _ in inside),
+        tuple(snap for snap in [*snaps, *merged] if snap.distance > _EXACT),
+    )
+
+
+def _points(plate: Plate) -> Iterator[tuple[str, Floats]]:
+    for line in plate.lines:
+        yield f"{line.place}/a", line.a
+        yield f"{line.place}/b", line.b
+    for i, point in enumerate(plate.fixed):
+        yield f"{plate.place}/fixed/{i}", point
+
+
+def _nearest_edges(plate: Plate, points: Floats) -> list[tuple[int, int] | None]:
+    """Loop and edge that each point lies on, within the tolerance; None for the others."""
+    keys = [(i, j) for i, loop in enumerate(plate.loops) for j in range(len(loop.curves))]
+    curves = [canonical(plate.loops[i].curves[j]) for i, j in keys]
+    rows = [shapely.LineString(polyline(curve, plate.chord_error)) for curve in curves]
+    reach = plate.snap + plate.chord_error
+    near = shapely.STRtree(rows).query(shapely.points(points), predicate="dwithin", distance=reach).T
+    found: list[tuple[float, int]] = [(plate.snap, -1)] * len(points)
+    for point, edge in sorted(map(tuple, near)):
+        away = float(np.hypot(*(_foot(curves[edge], points[point]) - points[point])))
+        found[point] = min(found[point], (away, edge))
+    return [keys[edge] if edge >= 0 else None for _, edge in found]
+
+
+def _foot(curve: Curve, point: Floats) -> Floats:
+    return floats(curve.points(np.array([nearest(curve, point)]))[0])
+
+
+def _anchored(curve: Curve, point: Floats, earlier: list[Anchor], tolerance: float) -> Floats:
+    """Node of a point on an edge: one of its ends, an earlier anchor, or a new one."""
+    length = nearest(curve, point)
+    foot = curve.points(np.array([length]))[0]
+    node = point if np.hypot(*(foot - point)) < _EXACT else foot
+    existing = [curve.start, curve.end, *(anchor.point for anchor in earlier)]
+    away = np.hypot(*(np.array(existing) - node).T)
+    if away.min() <= tolerance:
+        return existing[int(away.argmin())]
+    earlier.append(Anchor(length, node))
+    return node
+
+
+def _merged(named: list[tuple[str, Floats]], tolerance: float) -> tuple[list[tuple[str, Floats]], list[Snap]]:
+    """Points inside, without those near an earlier one; and what became of these."""
+    if not named:
+        return [], []
+    points = np.array([point for _, point in named])
+    kept_as = np.arange(len(points))
+    for first, second in sorted(cKDTree(points).query_pairs(tolerance)):
+        if kept_as[first] == first and kept_as[second] == second:
+            kept_as[second] = first
+    kept = [named[i] for i in np.flatnonzero(kept_as == np.arange(len(points)))]
+    gone = np.flatnonzero(kept_as != np.arange(len(points)))
+    return kept, [Snap(named[i][0], points[i], points[kept_as[i]]) for i in gone]
