@@ -33,6 +33,13 @@ def test_an_unknown_ending_is_refused_and_the_known_are_listed(tmp_path, name):
         formats.read_mesh(tmp_path / name)
 
 
+def test_plates_are_read_from_plate_documents_only(tmp_path):
+    partition = Path(__file__).parents[2] / "assets" / "plates" / "hopper_partition.json"
+    assert len(formats.read_plates(partition).plates) == 1
+    with pytest.raises(FileError, match=r"only from \.json"):
+        formats.read_plates(tmp_path / "mesh.vtu")
+
+
 def test_an_output_in_no_folder_is_refused_beforehand(tmp_path):
     with pytest.raises(FileError, match="no folder"):
         formats.check_output(tmp_path / "no" / "mesh.vtu")

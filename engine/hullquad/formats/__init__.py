@@ -8,8 +8,9 @@ import attrs
 
 from hullquad.arrays import Floats
 from hullquad.errors import FileError
-from hullquad.formats import atomic, vtu
+from hullquad.formats import atomic, hullplate, vtu
 from hullquad.mesh import Mesh
+from hullquad.plate import Document
 
 
 @attrs.frozen(kw_only=True)
@@ -18,14 +19,27 @@ class Format:
 
     suffix: str
     title: str
+    read_plates: Callable[[Path], Document] | None = None
     read_mesh: Callable[[Path], Mesh] | None = None
     write_mesh: Callable[[Mesh, Path, Mapping[str, Floats] | None], None] | None = None
 
 
 FORMATS = (
-    Format(suffix=".json", title="HullQuad plates"),
+    Format(suffix=".json", title="HullQuad plates", read_plates=hullplate.read),
     Format(suffix=".vtu", title="VTK unstructured grid", read_mesh=vtu.read, write_mesh=vtu.write),
 )
+
+
+def read_plates(path: Path) -> Document:
+    """The plates in a file.
+
+    Raises
+    ------
+    FileError, PlateError
+        No plates are read from files with this ending, or the file is of no use.
+    """
+    document: Document = _function("read_plates", path)(path)
+    return document
 
 
 def read_mesh(path: Path) -> Mesh:
