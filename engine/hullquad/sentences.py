@@ -103,8 +103,7 @@ SENTENCES: dict[str, str] = {
     "E_FORMAT": 'the format is {shown}; a plate document has "format": "hullplate"',
     "E_VERSION": "the version is {shown}; this program reads version {known}",
     "E_VERSION:newer": "version {shown} was made by a newer program; this one reads version {known}: update it, or "
-    "save "
-    "the document for version {known}",
+    "save the document for version {known}",
     "E_TYPE:document": "the document is {shown}, but a plate document is an object with a format, units and plates",
     "E_TYPE:object": "an object in braces belongs here, not {shown}",
     "E_TYPE:list": "a list in square brackets belongs here, not {shown}",
