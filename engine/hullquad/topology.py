@@ -83,12 +83,23 @@ def half_edges(elements: Ints) -> tuple[Ints, Longs]:
     return ints(sides[real]), longs(owners[real])
 
 
+def edges(elements: Ints) -> tuple[Ints, Longs]:
+    """Every edge once: (K, 2) nodes, the lesser first, and (K,) how many elements have it."""
+    sides, _ = half_edges(elements)
+    found, counts = np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)
+    return ints(found), longs(counts)
+
+
+def rim_edge_count(elements: Ints) -> int:
+    """Number of edges with one element only: those of the contour."""
+    return int((edges(elements)[1] == 1).sum())
+
+
 def rim_states(elements: Ints, nodes: int) -> Bytes:
     """(N,) node states of a mesh that tells none: contour where an edge has not two elements, else free."""
-    sides, _ = half_edges(elements)
-    edges, counts = np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)
+    found, counts = edges(elements)
     states = np.full(nodes, NodeState.FREE, dtype=np.int8)
-    states[edges[counts != 2].ravel()] = NodeState.CONTOUR
+    states[found[counts != 2].ravel()] = NodeState.CONTOUR
     return small_ints(states)
 
 

@@ -90,7 +90,7 @@ def test_stretch_rewards_a_bow_tie_when_raw():
 
 
 def test_an_unknown_metric_is_answered_with_the_known_ones():
-    with pytest.raises(HullquadError, match="E_METRIC at strech: .*stretch, aspect_ratio"):
+    with pytest.raises(HullquadError, match=r"E_METRIC at strech: .*stretch, aspect_ratio"):
         metric("strech")
 
 

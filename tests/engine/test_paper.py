@@ -63,7 +63,9 @@ def test_with_the_guard_the_best_is_valid_and_never_worse_than_the_start(seed, r
 
 
 def test_without_the_guard_long_steps_fold_elements_and_say_so(reference_mesh):
-    run = outcome(paper_iterates(reference_mesh("web_L"), STRETCH, PaperSettings(step=0.03, iterations=50, guard=False)))
+    run = outcome(
+        paper_iterates(reference_mesh("web_L"), STRETCH, PaperSettings(step=0.03, iterations=50, guard=False))
+    )
     assert run.last.quality.inverted_count > 0
 
 

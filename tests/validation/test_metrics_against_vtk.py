@@ -2,11 +2,11 @@
 
 import numpy as np
 import pytest
+import pyvista
 from numpy.testing import assert_allclose
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersVerdict import vtkMeshQuality
 
-import pyvista
 from hullquad.metrics import METRICS, metric
 from hullquad.metrics.values import judged_values
 

@@ -48,6 +48,16 @@ class Metric:
         return judge.triangle_band[0] if judge.higher_is_better else judge.triangle_band[1]
 
     @property
+    def triangle_ideal(self) -> float:
+        """Value of the equilateral triangle."""
+        return 60.0 if self.unit == DEGREES else self.triangle_metric.ideal
+
+    @property
+    def darkest(self) -> float:
+        """Value that is drawn as the worst there is: no valid element has an angle above 180 degrees."""
+        return 180.0 if self.unit == DEGREES else self.high
+
+    @property
     def scale(self) -> float:
         """Factor from the kernels' value to the shown one: angles are radians inside."""
         return degrees(1) if self.unit == DEGREES else 1.0

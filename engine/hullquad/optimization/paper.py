@@ -82,6 +82,11 @@ def paper_iterates(mesh: Mesh, metric: Metric, settings: PaperSettings | None = 
         number += 1
 
 
+def unmoved(mesh: Mesh, metric: Metric) -> Iterate:
+    """A mesh as the only iterate of a run that does nothing."""
+    return Iterate(number=0, mesh=mesh, quality=quality(mesh, metric), objective=objective_sum(mesh, metric))
+
+
 def objective_sum(mesh: Mesh, metric: Metric) -> float:
     """The paper's objective: sum of the metric's raw values over all quads [the metric's unit]."""
     return float(raw_values(metric, mesh.points, mesh.topology.quads, mesh.normals).sum())

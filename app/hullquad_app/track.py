@@ -1,0 +1,62 @@
+"""What a plate's mesh has gone through: iterates kept within a budget of bytes, so that each can be shown."""
+
+from collections.abc import Iterable
+
+import attrs
+
+from hullquad.optimization.iterate import Iterate
+
+BUDGET = 512 * 2**20
+"""Bytes that the iterates of one plate may take."""
+
+
+@attrs.frozen(eq=False)
+class Track:
+    """Iterates in order; the first is the mesh as it was made or loaded.
+
+    `Iterate.number` counts through all runs; where iterates were dropped for want of room, numbers are missing.
+    """
+
+    iterates: tuple[Iterate, ...]
+
+    @property
+    def first(self) -> Iterate:
+        """The mesh as it was made or loaded."""
+        return self.iterates[0]
+
+    @property
+    def last(self) -> Iterate:
+        """The newest iterate."""
+        return self.iterates[-1]
+
+    def until(self, position: int) -> "Track":
+        """The track up to that iterate: what a run that starts there goes on from."""
+        return Track(self.iterates[: position + 1])
+
+    def with_run(self, run: Iterable[Iterate], budget: int = BUDGET) -> "Track":
+        """The track with the iterates of a run that began with its last one, thinned to the budget."""
+        offset = self.last.number
+        began, *later = run
+        again = attrs.evolve(began, number=offset)
+        numbered = (attrs.evolve(iterate, number=iterate.number + offset) for iterate in later)
+        return Track(thinned((*self.iterates[:-1], again, *numbered), budget))
+
+    def best_of_run(self, start: int) -> int:
+        """Position of the best iterate from position `start` on."""
+        rows = range(start, len(self.iterates))
+        return max(row for row in rows if row == start or self.iterates[row].is_best)
+
+
+def thinned(iterates: tuple[Iterate, ...], budget: int) -> tuple[Iterate, ...]:
+    """Every second iterate left out, again and again, until they fit; the first, last and best always stay."""
+    while len(iterates) > 4 and len(iterates) * _bytes(iterates[-1]) > budget:
+        best = max(row for row, iterate in enumerate(iterates) if iterate.is_best)
+        kept = {*range(0, len(iterates), 2), best, len(iterates) - 1}
+        iterates = tuple(iterates[row] for row in sorted(kept))
+    return iterates
+
+
+def _bytes(iterate: Iterate) -> int:
+    mesh, quality = iterate.mesh, iterate.quality
+    parameters = 0 if mesh.parameters is None else mesh.parameters.nbytes
+    return mesh.points.nbytes + parameters + quality.values.nbytes + quality.valid.nbytes + quality.failing.nbytes

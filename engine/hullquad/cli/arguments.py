@@ -1,0 +1,117 @@
+"""What may stand on the command line, with its help."""
+
+from argparse import ArgumentParser, ArgumentTypeError, RawDescriptionHelpFormatter
+from math import isfinite
+from pathlib import Path
+
+from hullquad import __version__
+from hullquad.cli.improving import mesh_plates, optimize_mesh
+from hullquad.cli.judging import judge_mesh
+from hullquad.metrics import METRICS
+
+SIZES = ("coarse", "fine", "very_fine")
+
+_EXIT_CODES = "exit codes: 0 done, 1 refused input, 2 wrong usage, 130 interrupted"
+
+
+def parser() -> ArgumentParser:
+    """Parser of all commands; the chosen one is in `command`."""
+    root = ArgumentParser(
+        prog="hullquad",
+        description="Quadrilateral meshes of ship hull plates. Lengths are in mm, angles in degrees.",
+        epilog=_EXIT_CODES,
+    )
+    root.add_argument("--version", action="version", version=f"hullquad {__version__}")
+    commands = root.add_subparsers(title="commands", metavar="COMMAND", required=True)
+    _add_mesh(_command(commands, "mesh", "mesh plates and improve the meshes"))
+    _add_optimize(_command(commands, "optimize", "improve a mesh by moving its free nodes"))
+    _add_quality(_command(commands, "quality", "judge a mesh by every metric"))
+    return root
+
+
+def _command(commands: object, name: str, title: str) -> ArgumentParser:
+    add = commands.add_parser  # type: ignore[attr-defined]  # argparse keeps the type to itself
+    made: ArgumentParser = add(
+        name,
+        help=title,
+        description=title[0].upper() + title[1:] + ".",
+        epilog=_EXIT_CODES,
+        formatter_class=RawDescriptionHelpFormatter,
+        allow_abbrev=False,
+    )
+    return made
+
+
+def _add_mesh(command: ArgumentParser) -> None:
+    command.set_defaults(command=mesh_plates)
+    command.add_argument("input", type=Path, metavar="PLATES", help="plate document (.json)")
+    command.add_argument(
+        "-o",
+        "--output",
+        type=Path,
+        required=True,
+        metavar="OUT",
+        help="mesh file (.vtu); a document of several plates writes OUT-ID.vtu for each",
+    )
+    command.add_argument(
+        "--size",
+        type=_size,
+        metavar="N|" + "|".join(SIZES),
+        help="element size in mm, or by the document's name of it (default: the plates' target size)",
+    )
+    command.add_argument("--plate", metavar="ID", help="only this plate, written to OUT")
+    command.add_argument("--mesher", choices=["paper"], default="paper", help="how quads are made (default: paper)")
+    _add_run(command)
+
+
+def _add_optimize(command: ArgumentParser) -> None:
+    command.set_defaults(command=optimize_mesh)
+    command.add_argument("input", type=Path, metavar="MESH", help="mesh file (.vtu)")
+    command.add_argument("-o", "--output", type=Path, required=True, metavar="OUT", help="mesh file (.vtu)")
+    _add_run(command)
+
+
+def _add_quality(command: ArgumentParser) -> None:
+    command.set_defaults(command=judge_mesh)
+    command.add_argument("input", type=Path, metavar="MESH", help="mesh file (.vtu)")
+    command.add_argument("--csv", metavar="FILE|-", help="one row per element, to a file or to standard output")
+    command.add_argument("--json", action="store_true", help="print one JSON object")
+
+
+def _add_run(command: ArgumentParser) -> None:
+    command.add_argument(
+        "--optimizer", choices=["paper", "none"], default="paper", help="how nodes are moved (default: paper)"
+    )
+    command.add_argument(
+        "--metric",
+        choices=[row.key for row in METRICS],
+        default="stretch",
+        metavar="KEY",
+        help="what is made better: " + ", ".join(row.key for row in METRICS) + " (default: stretch)",
+    )
+    command.add_argument("--iterations", type=_count, default=1000, metavar="N", help="at most so many (default: 1000)")
+    command.add_argument(
+        "--no-guard",
+        dest="guard",
+        action="store_false",
+        help="the paper's run to the letter, which may fold elements; their number is told",
+    )
+    command.add_argument("--json", action="store_true", help="print one JSON object, or a list for several plates")
+
+
+def _size(text: str) -> float | str:
+    if text in SIZES:
+        return text
+    try:
+        size = float(text)
+    except ValueError:
+        size = 0.0
+    if not (isfinite(size) and size > 0):
+        raise ArgumentTypeError(f"'{text}' is neither a length above 0 in mm nor one of {', '.join(SIZES)}")
+    return size
+
+
+def _count(text: str) -> int:
+    if not text.isascii() or not text.isdigit():
+        raise ArgumentTypeError(f"'{text}' is no whole number from 0 on")
+    return int(text)

@@ -1,0 +1,83 @@
+"""What commands print: results on standard output, refusals, warnings and progress on standard error."""
+
+import json
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from math import isfinite
+from typing import Any
+
+from hullquad.errors import HullquadError
+from hullquad.optimization.iterate import Iterate
+
+_BAR = 30
+
+
+def say(text: str = "") -> None:
+    """Print a line of the result."""
+    print(text)  # noqa: T201  printing is what a command line does
+
+
+def complain(error: HullquadError) -> None:
+    """Print a refusal: ``error CODE at PLACE: text``."""
+    _remark(f"error {error}")
+
+
+def warn(notice: object) -> None:
+    """Print a warning: ``warning CODE at PLACE: text``."""
+    _remark(f"warning {notice}")
+
+
+def say_json(value: Any) -> None:
+    """Print a value as JSON; what is not finite is null."""
+    say(json.dumps(finite(value), indent=1, ensure_ascii=False, allow_nan=False))
+
+
+def finite(value: Any) -> Any:
+    """The same value with None for every number that JSON cannot hold."""
+    if isinstance(value, dict):
+        return {key: finite(item) for key, item in value.items()}
+    if isinstance(value, list):
+        return [finite(item) for item in value]
+    return None if isinstance(value, float) and not isfinite(value) else value
+
+
+class Progress:
+    """One line on a terminal that tells how far a run is; nothing elsewhere."""
+
+    def __init__(self, title: str, total: int) -> None:
+        self._title = title
+        self._total = total
+
+    def show(self, iterate: Iterate) -> None:
+        """Tell of an iterate."""
+        if iterate.number % max(1, self._total // 200):
+            return
+        done = iterate.number / self._total if self._total else 1.0
+        bar = ("#" * int(_BAR * done)).ljust(_BAR, ".")
+        numbers = (
+            f"iteration {iterate.number} / {self._total}   {iterate.objective:.4f}   worst {iterate.quality.worst:.3f}"
+        )
+        print(f"\r{self._title} [{bar}] {numbers}\x1b[K", end="", file=sys.stderr, flush=True)  # noqa: T201
+
+
+class _Silence:
+    def show(self, iterate: Iterate) -> None:
+        """Tell nothing."""
+
+
+@contextmanager
+def progress(title: str, total: int) -> Iterator[Progress | _Silence]:
+    """A progress line for as long as the work takes."""
+    if sys.stderr is None or not sys.stderr.isatty():
+        yield _Silence()
+        return
+    try:
+        yield Progress(title, total)
+    finally:
+        print("\r\x1b[K", end="", file=sys.stderr, flush=True)  # noqa: T201
+
+
+def _remark(text: str) -> None:
+    if sys.stderr is not None:
+        print(text, file=sys.stderr, flush=True)  # noqa: T201
