@@ -33,6 +33,11 @@ class Mesh:
     """SHA-256 of the plate document the mesh was made from."""
 
     @property
+    def is_bare(self) -> bool:
+        """Whether nothing is known of it but nodes and elements: it comes from another program."""
+        return not self.input_hash
+
+    @property
     def normals(self) -> Floats:
         """(1, 3) direction that elements must face; zero where only their own sense is known."""
         return np.zeros((1, 3)) if self.surface is None else self.surface.normal[None]

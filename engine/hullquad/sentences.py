@@ -153,21 +153,19 @@ SENTENCES: dict[str, str] = {
     "E_SELF_INTERSECT": "the loop crosses or touches itself at ({u:.7g}, {v:.7g}); correct the vertices or the arcs "
     "there",
     "E_SELF_INTERSECT:neck": "the loop touches itself at ({u:.7g}, {v:.7g}) within {least:g}; move the vertex away "
-    "from "
-    "the edge, or divide the plate there",
+    "from the edge, or divide the plate there",
     "E_AREA": "the loop at ({u:.7g}, {v:.7g}) encloses no area; correct its vertices",
     "E_ELLIPSE:off": "the end ({u:.7g}, {v:.7g}) of the edge is {percent:.2g} % off its ellipse, 0.1 % are allowed; "
     "correct the ellipse or move the vertex",
     "E_ELLIPSE:thin": "the half axes {a:g} and {b:g} differ more than {most:g} times; draw the edge straight",
     "E_HOLE_OUTSIDE": "the hole at ({u:.7g}, {v:.7g}) is outside of the plate; move or remove it",
-    "E_HOLE_OUTSIDE:crossing": "the hole at ({u:.7g}, {v:.7g}) crosses or touches the outer contour; move it "
-    "inside, or "
-    "cut the contour there",
+    "E_HOLE_OUTSIDE:crossing": "the hole at ({u:.7g}, {v:.7g}) crosses or touches the outer contour; move it inside, "
+    "or cut the contour there",
     "E_HOLE_OVERLAP": "the hole at ({u:.7g}, {v:.7g}) overlaps or touches hole {hole}; move it, or join the two",
-    "E_LIGAMENT:contour": "only {width:.2g} are left between the hole at ({u:.7g}, {v:.7g}) and the outer contour, the "
-    "least is {least:g}; move the hole, or cut the contour there",
-    "E_LIGAMENT:hole": "only {width:.2g} are left between the hole at ({u:.7g}, {v:.7g}) and hole {hole}, the least is "
-    "{least:g}; move it, or join the two",
+    "E_LIGAMENT:contour": "only {width:.2g} are left between the hole at ({u:.7g}, {v:.7g}) and the outer contour, "
+    "the least is {least:g}; move the hole, or cut the contour there",
+    "E_LIGAMENT:hole": "only {width:.2g} are left between the hole at ({u:.7g}, {v:.7g}) and hole {hole}, the least "
+    "is {least:g}; move it, or join the two",
     "E_SHORT_LINE": "the line at ({u:.7g}, {v:.7g}) is {length:.3g} long, the least is {least:g}; remove it or move "
     "an end",
     "E_LINE_OUTSIDE": "the line leaves the plate, it reaches ({u:.7g}, {v:.7g}); end it on the contour",
@@ -179,31 +177,26 @@ SENTENCES: dict[str, str] = {
     "E_SURFACE:grid": "the control points must be rows of the same length, with at least one point",
     "E_SURFACE:control": "the degree asks for {rows} rows of {columns} control points; correct the one or the other",
     "E_TOO_BIG": "about {elements:.2g} elements of size {size:g} mm would be needed, {most:g} are allowed; choose a "
-    "size "
-    "above {least:.2g} mm",
+    "size above {least:.2g} mm",
     "E_COARSE": "with segments of {size:g} mm the straight sides cut something at ({u:.7g}, {v:.7g}) that the true "
-    "edges "
-    "leave apart; choose a smaller size: {helping:.4g} mm helps",
-    "E_COARSE:always": "with segments of {size:g} mm the straight sides cut something at ({u:.7g}, {v:.7g}) that "
-    "the true "
-    "edges leave apart; choose a smaller size there, with larger numbers of divisions",
+    "edges leave apart; choose a smaller size: {helping:.4g} mm helps",
+    "E_COARSE:always": "with segments of {size:g} mm the straight sides cut something at ({u:.7g}, {v:.7g}) that the "
+    "true edges leave apart; choose a smaller size there, with larger numbers of divisions",
     "W_THICKNESS": "the plate is {thickness:g} mm thick; check the value and the units",
     "W_UNITS": "the plate's largest extent is {extent:g} mm; check the coordinates and the units",
     "W_LINE_HOLE": "the line crosses hole {hole}; it is cut there",
     "W_CORNER": "the corner at ({u:.7g}, {v:.7g}) has only {angle:.3g} degrees; no mesh is good there: cut the tip off",
     "W_SHORT_EDGE": "the edge is {length:.4g} mm long, less than a fifth of the target size ({least:.4g} mm), as are "
     "{count} of this loop; the elements there will be small",
-    "W_SMALL_HOLE": "the hole is {width:.4g} mm wide, less than the target size ({size:g} mm); the elements around "
-    "it will "
-    "be small: leave it out, or choose a smaller size",
+    "W_SMALL_HOLE": "the hole is {width:.4g} mm wide, less than the target size ({size:g} mm); the elements around it "
+    "will be small: leave it out, or choose a smaller size",
     "W_ODD": "the contour has {count} edges with segments of {size:g} mm, an odd number: one triangle is unavoidable; "
     "change the division of one edge by one",
     "W_SNAP": "the point was moved by {distance:.2g} mm to the node at ({u:.7g}, {v:.7g})",
-    "W_NEAR": "the fixed point ({u:.7g}, {v:.7g}) is only {distance:.2g} mm from the contour or from another one, with "
-    "elements of {size:g} mm; the elements between will be slivers: move it there, or away",
+    "W_NEAR": "the fixed point ({u:.7g}, {v:.7g}) is only {distance:.2g} mm from the contour or from another one, "
+    "with elements of {size:g} mm; the elements between will be slivers: move it there, or away",
     "W_COARSE": "with segments of the target size ({size:g} mm) the straight sides cut something at ({u:.7g}, "
-    "{v:.7g}); "
-    "a smaller size is needed for meshing: {helping:.4g} mm helps",
+    "{v:.7g}); a smaller size is needed for meshing: {helping:.4g} mm helps",
     "W_COARSE:always": "with segments of the target size ({size:g} mm) the straight sides cut something at ({u:.7g}, "
     "{v:.7g}); larger numbers of divisions are needed for meshing",
 }

@@ -86,8 +86,12 @@ def half_edges(elements: Ints) -> tuple[Ints, Longs]:
 def edges(elements: Ints) -> tuple[Ints, Longs]:
     """Every edge once: (K, 2) nodes, the lesser first, and (K,) how many elements have it."""
     sides, _ = half_edges(elements)
-    found, counts = np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)
-    return ints(found), longs(counts)
+    # one number for each edge sorts ten times faster than a row of two
+    nodes = int(sides.max(initial=0)) + 1
+    keys = np.sort(sides.min(axis=1) * np.int64(nodes) + sides.max(axis=1))
+    starts = np.flatnonzero(np.diff(keys, prepend=-1))
+    found = np.stack(np.divmod(keys[starts], nodes), axis=1)
+    return ints(found), longs(np.diff(starts, append=len(keys)))
 
 
 def rim_edge_count(elements: Ints) -> int:

@@ -13,8 +13,9 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as some
 
 from hullquad.errors import HullquadError
-from hullquad.formats import imported, vtu
+from hullquad.formats import vtu
 from hullquad.mesh import Mesh
+from hullquad.placement import fitted_plane, placed
 from hullquad.surface import Plane
 from hullquad.topology import NodeState, Topology
 
@@ -248,27 +249,27 @@ def test_a_bare_mesh_is_judged(file):
     assert mesh.topology.node_states.tolist() == [NodeState.CONTOUR] * 6
     assert mesh.topology.node_labels.tolist() == [1, 2, 3, 4, 5, 6]
     assert mesh.target_size == pytest.approx((7 + np.sqrt(2)) / 8)
-    assert mesh.surface is not None
-    assert bits(mesh.surface) == bits(Plane([0, 0, 0], [1, 0, 0], [0, 1, 0]))
-    assert mesh.parameters.tolist() == mesh.points[:, :2].tolist()
+    assert mesh.surface is None
+    assert bits(placed(mesh).surface) == bits(Plane([0, 0, 0], [1, 0, 0], [0, 1, 0]))
+    assert placed(mesh).parameters.tolist() == mesh.points[:, :2].tolist()
 
 
 def test_most_elements_of_a_bare_mesh_are_counter_clockwise(file):
     clockwise = numbers("connectivity", "Int32", "3 4 1 0 5 2 1 4 5 1")
-    assert parsed(file(grid(connectivity=clockwise))).surface.normal.tolist() == [0.0, 0.0, -1.0]
+    assert placed(parsed(file(grid(connectivity=clockwise)))).surface.normal.tolist() == [0.0, 0.0, -1.0]
 
 
-def test_a_bare_mesh_that_is_not_flat_has_no_surface(file):
+def test_a_bare_mesh_that_is_not_flat_has_no_place(file):
     mesh = parsed(file(grid(points=points(POINTS.replace("2 1 0", "2 1 0.01")))))
-    assert mesh.surface is None
-    assert mesh.parameters is None
+    with pytest.raises(HullquadError, match="E_CURVED"):
+        placed(mesh)
 
 
 @given(plane=planes())
 def test_the_plane_of_a_bare_mesh_holds_its_nodes(plane):
     parameters = np.array([[0, 0], [900, 30], [800, 700], [-20, 600.0]])
     nodes = plane.points(parameters)
-    found = imported.fitted_plane(nodes, np.array([[0, 1, 2, 3]], dtype=np.int32))
+    found = fitted_plane(nodes, np.array([[0, 1, 2, 3]], dtype=np.int32))
     assert found is not None
     np.testing.assert_allclose(found.points(found.parameters(nodes)), nodes, atol=1e-5)
     np.testing.assert_allclose(found.normal, plane.normal, atol=1e-9)

@@ -13,6 +13,7 @@ from hullquad.formats import check_output, read_mesh, read_plates, write_mesh
 from hullquad.mesh import Mesh
 from hullquad.metrics import metric
 from hullquad.optimization.iterate import Outcome
+from hullquad.placement import placed
 from hullquad.plate import Document, Plate
 from hullquad.triangulation.contour import Contour, attempts
 
@@ -43,7 +44,7 @@ def optimize_mesh(options: Namespace) -> bool:
     """Improve a mesh; never refuses a part of it."""
     check_output(options.output)
     clock = Clock("import", "prepare", "mesh", "optimize")
-    mesh = read_mesh(options.input)
+    mesh = placed(read_mesh(options.input))
     figures = _improve_and_write(mesh, options.output, options, clock)
     if options.json:
         say_json(figures)

@@ -28,16 +28,16 @@ def run_figures(run: Outcome) -> dict[str, Any]:
 
 def mesh_figures(mesh: Mesh, quality: Quality) -> dict[str, Any]:
     """Numbers of elements and nodes, and of those that are not valid."""
-    topology, is_bare = mesh.topology, mesh.surface is None
+    topology = mesh.topology
     return {
         "plate": mesh.plate_id,
         "quads": len(topology.quads),
         "triangles": len(topology.triangles),
-        "triangles_unavoidable": None if is_bare else rim_edge_count(topology.elements) % 2,
+        "triangles_unavoidable": None if mesh.is_bare else rim_edge_count(topology.elements) % 2,
         "nodes": len(mesh.points),
         "free": int(topology.is_free.sum()),
         "inverted": quality.inverted_count,
-        "reversed": int(reversed_elements(topology.elements).sum()) if is_bare else 0,
+        "reversed": int(reversed_elements(topology.elements).sum()) if mesh.surface is None else 0,
     }
 
 

@@ -20,8 +20,6 @@ from hullquad.formats.source import content
 from hullquad.plate import Document, Material, Notice, Plate
 from hullquad.triangulation.contour import attempts, refuse_too_many
 
-SUFFIX = ".json"
-
 _VERSION = 1
 _LENGTHS = {"mm": 1.0, "m": 1000.0}
 _ANGLES = {"deg": np.pi / 180, "rad": 1.0}

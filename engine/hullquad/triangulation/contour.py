@@ -134,6 +134,12 @@ def element_size(plate: Plate, size: float | str | None) -> float:
     return float(getattr(plate.sizes, size)) if isinstance(size, str) else size
 
 
+def elements_needed(plate: Plate, size: float) -> float:
+    """Estimate of the number of elements of a size; infinite for what is no size."""
+    region = plate.region
+    return max(region.area / size / size, region.length / size / 2) if size > 0 else np.inf
+
+
 def refuse_too_many(plate: Plate, size: float) -> None:
     """Refuse a size that would make more elements than can be handled.
 
@@ -142,8 +148,8 @@ def refuse_too_many(plate: Plate, size: float) -> None:
     PlateError
         E_TOO_BIG
     """
-    elements = max(plate.region.area / size / size, plate.region.length / size / 2) if size > 0 else np.inf
-    if not elements <= MOST_ELEMENTS:
+    elements = elements_needed(plate, size)
+    if elements > MOST_ELEMENTS:
         least = float(np.sqrt(plate.region.area / MOST_ELEMENTS))
         place = f"{plate.place}/target_size"
         raise PlateError("E_TOO_BIG", place, size=size, elements=elements, most=MOST_ELEMENTS, least=least)
@@ -206,7 +212,8 @@ def _flaw(contour: Contour) -> tuple[str, Floats] | None:
 def _too_coarse(plate: Plate, fixed: Anchors, size: float, flaw: tuple[str, Floats]) -> PlateError:
     """Error that says which size would do."""
     place, (u, v) = flaw
-    for helping in size / 2.0 ** np.arange(1, _TRIES):
-        if _flaw(_divided(plate, fixed, float(helping))) is None:
+    sizes = [size / 2**i for i in range(1, _TRIES)]
+    for helping in (helping for helping in sizes if elements_needed(plate, helping) <= MOST_ELEMENTS):
+        if _flaw(_divided(plate, fixed, helping)) is None:
             return PlateError("E_COARSE", place, u=u, v=v, size=size, helping=helping)
     return PlateError("E_COARSE", place, "always", u=u, v=v, size=size)

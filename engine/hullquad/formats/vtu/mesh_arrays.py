@@ -24,10 +24,11 @@ from xml.etree.ElementTree import Element
 import attrs
 import numpy as np
 
+from hullquad import placement
 from hullquad.arrays import Floats, Ints
 from hullquad.formats import imported
-from hullquad.formats.vtk_arrays import integers, reals, text
-from hullquad.formats.vtk_document import Document, arrays, count
+from hullquad.formats.vtu.data_arrays import integers, reals, text
+from hullquad.formats.vtu.document import Document, arrays, count
 from hullquad.mesh import Mesh
 from hullquad.surface import Plane
 from hullquad.topology import NodeState, Topology
@@ -129,7 +130,7 @@ class _Reader:
         array = self._array(self.found.nodes, "parameters")
         parameters = self._finite("parameters", reals(array, len(points), 2, self.file))
         away = np.linalg.norm(plane.points(parameters) - points, axis=1).max()
-        if away > 10.0 * imported.FLATNESS * imported.diameter(points):
+        if away > 10.0 * placement.FLATNESS * placement.diameter(points):
             raise self.file.refusal("moved", away=away)
         return parameters
 

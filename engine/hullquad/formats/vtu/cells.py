@@ -5,8 +5,8 @@ from xml.etree.ElementTree import Element
 import numpy as np
 
 from hullquad.arrays import Ints, Longs, ints
-from hullquad.formats.vtk_arrays import integers
-from hullquad.formats.vtk_document import Document, arrays
+from hullquad.formats.vtu.data_arrays import integers
+from hullquad.formats.vtu.document import Document, arrays
 
 TRIANGLE, POLYGON, PIXEL, QUAD = 5, 7, 8, 9
 _NAMES = {

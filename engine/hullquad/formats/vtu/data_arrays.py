@@ -18,7 +18,7 @@ import numpy as np
 import numpy.typing as npt
 
 from hullquad.arrays import Floats, Longs
-from hullquad.formats.vtk_document import Document, count
+from hullquad.formats.vtu.document import Document, count
 
 _MOST_TEXT = 1 << 16
 _TYPES = {f"{kind}{bits}": f"{kind[0].lower()}{bits // 8}" for kind in ("Int", "UInt") for bits in (8, 16, 32, 64)}

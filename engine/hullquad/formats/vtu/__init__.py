@@ -15,10 +15,11 @@ import numpy as np
 import hullquad
 from hullquad import worker
 from hullquad.arrays import Floats, floats
-from hullquad.formats import atomic, imported, mesh_arrays, source, vtk_cells, vtk_writer
-from hullquad.formats.vtk_arrays import reals
-from hullquad.formats.vtk_document import Document, arrays, child, count, document
-from hullquad.formats.vtk_writer import Chunks, element, numbers, text
+from hullquad.formats import atomic, imported, source
+from hullquad.formats.vtu import cells, mesh_arrays, writer
+from hullquad.formats.vtu.data_arrays import reals
+from hullquad.formats.vtu.document import Document, arrays, child, count, document
+from hullquad.formats.vtu.writer import Chunks, element, numbers, text
 from hullquad.mesh import Mesh
 
 _KIND = "UnstructuredGrid"
@@ -48,9 +49,9 @@ def parse(content: bytes, place: str) -> Mesh:
     file = document(content, _KIND, place)
     grid = child(file.root, _KIND, file)
     piece = child(grid, "Piece", file)
-    nodes, cells = count(piece, "NumberOfPoints", file), count(piece, "NumberOfCells", file)
+    nodes, rows = count(piece, "NumberOfPoints", file), count(piece, "NumberOfCells", file)
     points = _points(piece, nodes, file)
-    elements = vtk_cells.elements(child(piece, "Cells", file), cells, nodes, file)
+    elements = cells.elements(child(piece, "Cells", file), rows, nodes, file)
     found = mesh_arrays.sections(grid, piece)
     if mesh_arrays.are_ours(found):
         return mesh_arrays.mesh(points, elements, found, file)
@@ -83,7 +84,7 @@ def write(mesh: Mesh, path: Path, cell_values: Mapping[str, Floats] | None = Non
         NumberOfPoints=len(mesh.points),
         NumberOfCells=len(mesh.topology.elements),
     )
-    atomic.write(path, vtk_writer.file(_KIND, element(_KIND, _field_data(mesh), piece)))
+    atomic.write(path, writer.file(_KIND, element(_KIND, _field_data(mesh), piece)))
 
 
 def _points(piece: Element, nodes: int, file: Document) -> Floats:
@@ -116,7 +117,7 @@ def _cells(mesh: Mesh) -> Chunks:
         "Cells",
         numbers("connectivity", corners[corners >= 0].astype(np.int64)),
         numbers("offsets", np.cumsum(np.where(is_triangle, 3, 4), dtype=np.int64)),
-        numbers("types", np.where(is_triangle, vtk_cells.TRIANGLE, vtk_cells.QUAD).astype(np.uint8)),
+        numbers("types", np.where(is_triangle, cells.TRIANGLE, cells.QUAD).astype(np.uint8)),
     )
 
 
