@@ -63,6 +63,18 @@ CYLINDER = {"type": "cylinder", "radius": 1800, "axis": "u", "start_angle": -90,
 BEZIER = {"type": "bezier", "degree": [1, 1], "control": [[[0, 0, 0], [1, 0, 0]], [[0, 1, 0], [1, 1, 0]]]}
 
 
+TRIANGLE = [{"p": [0, 0]}, {"p": [1, 0]}, {"p": [1, 1]}]
+BARE = {"holes": [], "stiffeners": [], "seams": [], "fixed": [], "divisions": {}}
+SPECIFIED = re.findall(
+    r"E_\w+",
+    """
+    E_FILE E_JSON E_FORMAT E_VERSION E_TYPE E_KEY E_UNITS E_EMPTY E_ID E_DUP_ID E_NUMBER E_POINT E_VERTEX E_FRAME
+    E_MATERIAL E_THICKNESS E_SIZE E_DIVISIONS E_OUTER E_SHORT_EDGE E_SELF_INTERSECT E_AREA E_ELLIPSE E_HOLE_OUTSIDE
+    E_LIGAMENT E_HOLE_OVERLAP E_SHORT_LINE E_LINE_OUTSIDE E_POINT_OUTSIDE E_SURFACE E_TOO_BIG
+    """,
+)
+
+
 def read(value, tmp_path):
     file = tmp_path / "plate.json"
     file.write_bytes(value if isinstance(value, bytes) else json.dumps(value).encode())
@@ -166,7 +178,7 @@ REFUSED = [
     ("E_SHORT_EDGE", f"{P}/holes/1/0", {"p": [200, 100]}),
     ("E_SELF_INTERSECT", f"{P}/holes/1", [SQUARE[i] for i in (0, 2, 1, 3)]),
     ("E_AREA", f"{P}/holes/1", [{"p": [100, 100]}, {"p": [200, 100]}, {"p": [150, 100]}]),
-    ("E_HOLE_OUTSIDE", f"{P}/holes/1/2", {"p": [200, 1300]}),
+    ("E_HOLE_OUTSIDE", f"{P}/holes/1/2", {"p": [200, 1300]}, f"{P}/holes/1"),
     ("E_LIGAMENT", f"{P}/holes/1", [{"p": [0.5, 100]}, {"p": [200, 100]}, {"p": [200, 300]}]),
     ("E_LIGAMENT", f"{P}/holes/2", [{"p": [200.5, 100]}, {"p": [300, 100]}, {"p": [300, 300]}, {"p": [200.5, 300]}]),
     ("E_HOLE_OVERLAP", f"{P}/holes/1", [{"p": [750, 450]}, {"p": [800, 450]}, {"p": [800, 550]}]),
@@ -189,6 +201,9 @@ REFUSED = [
     ("E_SURFACE", f"{P}/surface", CYLINDER | {"axis": "v"}, f"{P}/surface/axis"),
     ("E_SURFACE", f"{P}/surface", CYLINDER | {"radius": 0}, f"{P}/surface/radius"),
     ("E_SURFACE", f"{P}/surface", {"type": "cylinder", "radius": 1}, f"{P}/surface/start_angle"),
+    ("E_SURFACE", f"{P}/surface", BEZIER | {"degree": [1]}, f"{P}/surface/degree"),
+    ("E_SURFACE", f"{P}/surface", BEZIER | {"degree": [1, 0.5]}, f"{P}/surface/degree/1"),
+    ("E_SURFACE", f"{P}/surface", BEZIER | {"control": []}, f"{P}/surface/control"),
     ("E_SURFACE", f"{P}/param", True),
     ("E_TYPE", f"{P}/param", 0),
 ]
@@ -199,17 +214,34 @@ def test_a_fault_is_refused_at_its_place(described, tmp_path, code, place, new, 
     put(described, place, new)
     if place.startswith(f"{P}/holes") and code != "E_TYPE":
         del described["plates"][0]["divisions"]
+    if isinstance(new, dict) and new.get("type") == "bezier":
+        described["plates"][0] = described["plates"][0] | {"outer": TRIANGLE} | BARE
     error = refusal(described, tmp_path)
-    expected = f"{P}/holes/1" if code in {"E_HOLE_OUTSIDE"} else at
-    assert (error.code, error.place) == (code, expected)
+    assert (error.code, error.place) == (code, at)
 
 
-def test_every_sentence_of_a_refusal_is_there(described, tmp_path):
-    put(described, f"{P}/surface", {"type": "bezier", "degree": [2, 1], "control": BEZIER["control"]})
-    put(described, f"{P}/outer", [{"p": [0, 0]}, {"p": [1, 0]}, {"p": [1, 1]}])
-    described["plates"][0] |= {"holes": [], "stiffeners": [], "seams": [], "fixed": [], "divisions": {}}
+def test_every_code_of_the_specification_is_tested():
+    tested = {row[0] for row in REFUSED} | {code for expected in EXPECTED.values() for code in expected["codes"]}
+    assert set(SPECIFIED) - tested == {"E_FILE"}
+
+
+def test_control_points_must_be_as_many_as_the_degree_says(described, tmp_path):
+    described["plates"][0] |= {"outer": TRIANGLE, "surface": BEZIER | {"degree": [2, 1]}} | BARE
     error = refusal(described, tmp_path)
     assert (error.code, error.place) == ("E_SURFACE", f"{P}/surface/control")
+
+
+def test_a_point_beside_its_patch_is_refused(described, tmp_path):
+    described["plates"][0] |= {"outer": [*TRIANGLE[:2], {"p": [1, 1.1]}], "surface": BEZIER} | BARE
+    error = refusal(described, tmp_path)
+    assert (error.code, error.place) == ("E_POINT", f"{P}/outer/2/p")
+
+
+def test_a_loop_that_nearly_touches_itself_is_refused(described, tmp_path):
+    touching = [[0, 0], [2000, 0], [2000, 1000], [1000, 0.005], [0, 1000]]
+    described["plates"][0] |= {"outer": [{"p": point} for point in touching]} | BARE
+    error = refusal(described, tmp_path)
+    assert (error.code, error.place, error.case) == ("E_SELF_INTERSECT", f"{P}/outer", "neck")
 
 
 @pytest.mark.parametrize(
