@@ -1,0 +1,87 @@
+"""From real plates to improved quads: what must hold on every plane sample plate."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from shapely import Polygon
+
+from hullquad import pipeline
+from hullquad.errors import MeshingError
+from hullquad.formats import read_plates
+from hullquad.metrics import metric
+from hullquad.optimization.iterate import outcome
+from hullquad.optimization.paper import PaperSettings, paper_iterates
+from hullquad.topology import NodeState, edges
+from hullquad.triangulation.contour import Contour, contours
+
+PLATES = Path(__file__).parents[2] / "assets" / "plates"
+DOCUMENTS = {path.stem: read_plates(path) for path in sorted(PLATES.glob("*.json"))}
+COARSE = {
+    f"{name}-{key}" if name == "hopper_block" else name: contour
+    for name, document in DOCUMENTS.items()
+    for key, contour in contours(document, "coarse").items()
+}
+
+
+def covered_area(mesh) -> float:
+    corners = mesh.topology.elements
+    rows = mesh.parameters[np.where(corners < 0, corners[:, :1], corners)]
+    x, y = rows[..., 0] - rows[0, 0, 0], rows[..., 1] - rows[0, 0, 1]
+    return float(0.5 * (x * np.roll(y, -1, axis=1) - y * np.roll(x, -1, axis=1)).sum())
+
+
+def given_area(contour: Contour) -> float:
+    outer, *holes = contour.rings
+    return Polygon(outer, holes).area
+
+
+def test_all_plane_plates_are_here():
+    assert len(COARSE) == 15 + 13
+
+
+@pytest.mark.parametrize("name", COARSE)
+def test_a_sample_plate_keeps_its_contour_and_its_area_from_start_to_end(name):
+    contour = COARSE[name]
+    mesh = pipeline.paper_mesh(contour)
+    given = len(contour.points)
+    assert mesh.points[:given].tobytes() == contour.points.tobytes()
+    assert (mesh.topology.node_states[: contour.edge_count] == NodeState.CONTOUR).all()
+    assert (mesh.topology.node_states[contour.edge_count : given] == NodeState.FIXED).all()
+    assert (mesh.topology.node_states[given:] == NodeState.FREE).all()
+    rim, counts = edges(mesh.topology.elements)
+    assert {tuple(edge) for edge in rim[counts == 1].tolist()} == {tuple(sorted(e)) for e in contour.segments.tolist()}
+    assert counts.max() <= 2
+    run = outcome(paper_iterates(mesh, metric("stretch"), PaperSettings(iterations=200)))
+    for iterate in (run.first, run.best, run.last):
+        assert iterate.quality.inverted_count == 0
+        assert iterate.mesh.points[:given].tobytes() == contour.points.tobytes()
+        np.testing.assert_allclose(covered_area(iterate.mesh), given_area(contour), rtol=1e-9)
+    assert run.best.objective >= run.first.objective
+
+
+@pytest.mark.parametrize("name", COARSE)
+def test_the_triangles_left_have_the_parity_of_the_contour(name):
+    contour = COARSE[name]
+    mesh = pipeline.paper_mesh(contour)
+    assert len(mesh.topology.triangles) % 2 == contour.triangles_unavoidable
+    assert len(mesh.topology.triangles) <= 0.2 * len(mesh.topology.elements)
+
+
+def test_curved_plates_are_told_not_yet():
+    for name in ("bilge_shell", "bow_shell"):
+        (plate,) = DOCUMENTS[name].plates
+        with pytest.raises(MeshingError, match="curved surfaces: not yet"):
+            pipeline.plane_of(plate)
+
+
+def test_the_mean_element_has_the_size_asked_for():
+    contour = contours(DOCUMENTS["hopper_partition"], 150.0)["hopper_partition"]
+    mesh = pipeline.paper_mesh(contour)
+    assert 0.8 < contour.area / len(mesh.topology.elements) / 150.0**2 < 1.25
+
+
+def test_the_same_plate_gives_the_same_mesh():
+    one, other = (pipeline.paper_mesh(COARSE["floor_manholes"]) for _ in range(2))
+    assert one.points.tobytes() == other.points.tobytes()
+    assert one.topology.elements.tobytes() == other.topology.elements.tobytes()
