@@ -20,26 +20,10 @@ from hullquad.topology import NodeState
 PLATES = Path(__file__).parents[2] / "assets" / "plates"
 BAD = Path(__file__).parents[1] / "data" / "bad-plates"
 EXPECTED = json.loads((BAD / "expected.json").read_text(encoding="utf-8"))
-KEYS = [
-    "plate",
-    "quads",
-    "triangles",
-    "triangles_unavoidable",
-    "nodes",
-    "free",
-    "inverted",
-    "reversed",
-    "metric",
-    "objective_before",
-    "objective_after",
-    "worst_before",
-    "worst_after",
-    "failing_before",
-    "failing_after",
-    "iterations",
-    "stop",
-    "seconds",
-]
+KEYS = (
+    "plate quads triangles triangles_unavoidable nodes free inverted reversed metric objective_before objective_after "
+    "worst_before worst_after failing_before failing_after iterations stop seconds"
+)
 
 
 def run(capsys, *arguments) -> tuple[int, str, str]:
@@ -76,7 +60,7 @@ def test_a_plate_is_meshed_and_its_figures_are_told(tmp_path, capsys):
     code, printed, complaints = run(capsys, "mesh", PLATES / "hopper_partition.json", "-o", out, "--json")
     assert (code, complaints) == (0, "")
     figures = json.loads(printed)
-    assert list(figures) == KEYS
+    assert " ".join(figures) == KEYS
     assert list(figures["seconds"]) == ["import", "prepare", "mesh", "optimize"]
     mesh = read_mesh(out)
     assert figures["quads"] == len(mesh.topology.quads)
@@ -234,7 +218,7 @@ def test_quality_has_a_row_for_each_element(meshed, tmp_path, capsys):
     triangles = [row for row in rows if row["type"] == "triangle"]
     assert len(triangles) == len(mesh.topology.triangles) > 0
     assert all(row["stretch"] == "" and row["shape"] and row["valid"] == "true" for row in triangles)
-    code, printed, _ = run(capsys, "quality", meshed, "--csv", "-")
+    _, printed, _ = run(capsys, "quality", meshed, "--csv", "-")
     assert printed == table.read_text(encoding="utf-8")
 
 

@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 import attrs
 
 from hullquad.errors import PlateError
-from hullquad.formats.json_text import child
+from hullquad.formats.hullplate.json_text import child
 
 Value = TypeVar("Value")
 

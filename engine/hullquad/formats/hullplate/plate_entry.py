@@ -8,9 +8,21 @@ from typing import Any
 import numpy as np
 
 from hullquad.arrays import Floats
-from hullquad.formats.entry import Entry, Field, Refused, anything, fields, flag, items, number, positive, text, whole
-from hullquad.formats.loop_entry import Units, loop, point
-from hullquad.formats.surface_entry import frame, is_bezier, surface
+from hullquad.formats.hullplate.entry import (
+    Entry,
+    Field,
+    Refused,
+    anything,
+    fields,
+    flag,
+    items,
+    number,
+    positive,
+    text,
+    whole,
+)
+from hullquad.formats.hullplate.loop_entry import Units, loop, point
+from hullquad.formats.hullplate.surface_entry import frame, is_bezier, surface
 from hullquad.plate import Line, Plate, Sizes
 from hullquad.surface import Bezier, Plane
 

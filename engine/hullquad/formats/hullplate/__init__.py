@@ -11,11 +11,11 @@ import attrs
 import numpy as np
 
 from hullquad.errors import PlateError
-from hullquad.formats.concerns import concerns, division_concerns
-from hullquad.formats.defects import defects
-from hullquad.formats.entry import Entry, Field, Refused, anything, fields, positive, text, whole
-from hullquad.formats.json_text import decode, position
-from hullquad.formats.plate_entry import plate as plate_of
+from hullquad.formats.hullplate.concerns import concerns, division_concerns
+from hullquad.formats.hullplate.defects import defects
+from hullquad.formats.hullplate.entry import Entry, Field, Refused, anything, fields, positive, text, whole
+from hullquad.formats.hullplate.json_text import decode, position
+from hullquad.formats.hullplate.plate_entry import plate as plate_of
 from hullquad.formats.source import content
 from hullquad.plate import Document, Material, Notice, Plate
 from hullquad.triangulation.contour import attempts, refuse_too_many

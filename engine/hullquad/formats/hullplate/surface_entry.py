@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 
 from hullquad.arrays import Floats
-from hullquad.formats.entry import Entry, Field, anything, items, number, positive, text, whole
-from hullquad.formats.loop_entry import Units, vector
+from hullquad.formats.hullplate.entry import Entry, Field, anything, items, number, positive, text, whole
+from hullquad.formats.hullplate.loop_entry import Units, vector
 from hullquad.surface import Bezier, Cylinder, Plane, Surface
 
 _ORTHONORMAL = 1e-6
