@@ -6,7 +6,6 @@ iterations are used up. `a` has the unit of a length squared and is given as c t
 
 from collections.abc import Iterator
 
-import attrs
 import numpy as np
 
 from hullquad.arrays import Bools, Floats
@@ -16,30 +15,15 @@ from hullquad.metrics import Metric
 from hullquad.metrics.values import difference_gradient, raw_values, valid_elements
 from hullquad.optimization import stops
 from hullquad.optimization.iterate import Iterate
+from hullquad.optimization.settings import PaperSettings
 from hullquad.optimization.stops import Stop
 from hullquad.quality import quality
 from hullquad.surface import Plane
 
+__all__ = ["PaperSettings", "objective_sum", "paper_iterates", "unmoved"]
+
 _DIFFERENCE = 1e-5
 """Step of the central differences over the target size: rounding and truncation weigh about the same there."""
-
-
-@attrs.frozen(kw_only=True)
-class PaperSettings:
-    """The parameters of the method."""
-
-    step: float = 0.003
-    """c: the step is c times the square of the target size times the gradient."""
-    iterations: int = 1000
-    """Most iterations."""
-    tolerance: float = 1e-6
-    """Stop when the best sum has gained less than this per quad over the last `window` iterations."""
-    window: int = 100
-    guard: bool = True
-    """Whether the nodes of an element that a step would make invalid stay where they are in that step.
-
-    Without it the run is the paper's to the letter, and may fold elements: most metrics cannot see that.
-    """
 
 
 def paper_iterates(mesh: Mesh, metric: Metric, settings: PaperSettings | None = None) -> Iterator[Iterate]:

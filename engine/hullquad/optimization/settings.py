@@ -1,0 +1,21 @@
+"""The parameters of the paper's method: apart from it, so that asking for them loads no compiled kernel."""
+
+import attrs
+
+
+@attrs.frozen(kw_only=True)
+class PaperSettings:
+    """The parameters of the method."""
+
+    step: float = 0.003
+    """c: the step is c times the square of the target size times the gradient."""
+    iterations: int = 1000
+    """Most iterations."""
+    tolerance: float = 1e-6
+    """Stop when the best sum has gained less than this per quad over the last `window` iterations."""
+    window: int = 100
+    guard: bool = True
+    """Whether the nodes of an element that a step would make invalid stay where they are in that step.
+
+    Without it the run is the paper's to the letter, and may fold elements: most metrics cannot see that.
+    """
