@@ -32,9 +32,9 @@ def test_plate_to_quads(benchmark, name):
 def test_bare_triangle_call(benchmark, name):
     benchmark.group = name
     contour = CONTOURS[name]
-    given = {"vertices": contour.nodes, "segments": contour.segments}
+    given = {"vertices": contour.nodes.copy(), "segments": contour.segments.copy()}
     if len(contour.hole_points):
-        given["holes"] = contour.hole_points
+        given["holes"] = contour.hole_points.copy()
     area = np.format_float_positional(pipeline.TRIANGLE_AREA * contour.size**2)
     made = benchmark(triangle.triangulate, given, f"pq{pipeline.MIN_ANGLE:g}a{area}YY")
     assert len(made["triangles"]) > 0
