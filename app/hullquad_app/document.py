@@ -185,9 +185,9 @@ class Document(QObject):
         running = self.scene.track if self.scene.running else None
         self._set(resolved(self.scene, self.scene.state, attrs.evolve(self.scene.view, **view), running))
 
-    def preview(self, track: Track) -> None:
+    def preview(self, track: Track, position: int = -1) -> None:
         """Show a run that goes on: its track so far, which becomes part of the document by `change` when it ends."""
-        self._set(resolved(self.scene, self.scene.state, attrs.evolve(self.scene.view, position=-1), track))
+        self._set(resolved(self.scene, self.scene.state, attrs.evolve(self.scene.view, position=position), track))
 
     def restore(self, scene: Scene) -> None:
         """Show the state, plate and iterate of a scene; metric and limits stay as they are now."""

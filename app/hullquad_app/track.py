@@ -1,6 +1,7 @@
 """What a plate's mesh has gone through: iterates kept within a budget of bytes, so that each can be shown."""
 
-from collections.abc import Iterable
+from bisect import bisect_right
+from collections.abc import Iterable, Sequence
 
 import attrs
 
@@ -35,11 +36,18 @@ class Track:
 
     def with_run(self, run: Iterable[Iterate], budget: int = BUDGET) -> "Track":
         """The track with the iterates of a run that began with its last one, thinned to the budget."""
-        offset = self.last.number
         began, *later = run
-        again = attrs.evolve(began, number=offset)
+        again = attrs.evolve(began, number=self.last.number)
+        return Track((*self.iterates[:-1], again)).with_more(later, self.last.number, budget)
+
+    def with_more(self, later: Iterable[Iterate], offset: int, budget: int = BUDGET) -> "Track":
+        """The track with further iterates of a run that began at the number `offset`."""
         numbered = (attrs.evolve(iterate, number=iterate.number + offset) for iterate in later)
-        return Track(thinned((*self.iterates[:-1], again, *numbered), budget))
+        return Track(tuple(thinned((*self.iterates, *numbered), budget)))
+
+    def row(self, number: int) -> int:
+        """Position of the iterate of that number, or of the one kept before it."""
+        return max(bisect_right(self.iterates, number, key=lambda iterate: iterate.number) - 1, 0)
 
     def best_of_run(self, start: int) -> int:
         """Position of the best iterate from position `start` on."""
@@ -47,12 +55,12 @@ class Track:
         return max(row for row in rows if row == start or self.iterates[row].is_best)
 
 
-def thinned(iterates: tuple[Iterate, ...], budget: int) -> tuple[Iterate, ...]:
+def thinned(iterates: Sequence[Iterate], budget: int) -> Sequence[Iterate]:
     """Every second iterate left out, again and again, until they fit; the first, last and best always stay."""
     while len(iterates) > 4 and len(iterates) * _bytes(iterates[-1]) > budget:
-        best = max(row for row, iterate in enumerate(iterates) if iterate.is_best)
+        best = max((row for row, iterate in enumerate(iterates) if iterate.is_best), default=0)
         kept = {*range(0, len(iterates), 2), best, len(iterates) - 1}
-        iterates = tuple(iterates[row] for row in sorted(kept))
+        iterates = [iterates[row] for row in sorted(kept)]
     return iterates
 
 
