@@ -1,0 +1,148 @@
+"""What is done outside the GUI thread, as generators of progress that return what was made; no Qt but its texts."""
+
+import logging
+import threading
+from collections.abc import Generator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import attrs
+from PySide6.QtCore import QCoreApplication
+
+from hullquad import pipeline, worker
+from hullquad.errors import HullquadError, MeshingError, PlateError
+from hullquad.formats import FORMATS, check_output, read_mesh, read_plates, write_mesh
+from hullquad.mesh import Mesh
+from hullquad.metrics import Metric
+from hullquad.plate import Document
+from hullquad.quality import quality
+from hullquad.triangulation.contour import Contour, attempts
+from hullquad_app.document import State
+from hullquad_app.track import Track
+
+PREPARE_SECONDS = 600.0
+"""Compiling every kernel, on a slow machine."""
+
+Size = float | str | None
+"""Element size [mm], or the name of one of the plates' own; None for their target sizes."""
+Attempt = Contour | PlateError
+"""A plate's contour, or why it has none."""
+
+
+@attrs.frozen
+class Progress:
+    """What is being done, and how much of it is done."""
+
+    text: str
+    done: int = 0
+    total: int = 0
+    """0 where nobody can tell."""
+
+
+Work = Generator[Progress, None, Any]
+
+
+@attrs.frozen(eq=False)
+class Division:
+    """The contours of a document, divided for one size."""
+
+    plates: Document
+    size: Size
+    contours: Mapping[str, Attempt]
+    """Of the plane plates, by id."""
+
+
+@attrs.frozen(eq=False)
+class Meshed:
+    """Plates of a document that were meshed, and those that could not be."""
+
+    plates: Document
+    tracks: Mapping[str, Track]
+    refused: Mapping[str, HullquadError]
+
+
+def prepared(is_prepared: threading.Event) -> Work:
+    """Load the compiled kernels; `is_prepared` is set in the end, however it comes.
+
+    The first to need them is a child process: where none is on disk it compiles, which would hold up the window.
+    """
+    try:
+        yield Progress(_translated("Preparing"))
+        try:
+            worker.call(pipeline.prepare, seconds=PREPARE_SECONDS, place="kernels")
+        except HullquadError as error:
+            logging.warning("kernels are not prepared by the worker: %s", error)
+        yield Progress(_translated("Preparing"))
+        pipeline.prepare()
+    finally:
+        is_prepared.set()
+
+
+def opened(path: Path, metric: Metric) -> Work:
+    """State with the plates, or the mesh, of a file."""
+    yield Progress(_translated("Opening {file}").format(file=path.name))
+    if path.suffix.lower() not in {row.suffix for row in FORMATS if row.read_mesh}:
+        plates = read_plates(path)
+        return State(title=plates.name, path=path, plates=plates)
+    mesh = read_mesh(path)
+    return State(title=path.stem, path=path, tracks={mesh.plate_id or path.stem: _track(mesh, metric)})
+
+
+def divided(plates: Document, size: Size) -> Work:
+    """Contours of the plane plates of a document."""
+    yield Progress(_translated("Dividing contours"))
+    return Division(plates, size, attempts(plates, size))
+
+
+def meshed(
+    state: State,
+    keys: Sequence[str],
+    size: Size,
+    metric: Metric,
+    contours: Mapping[str, Attempt] | None,
+    is_prepared: threading.Event,
+) -> Work:
+    """Tracks of plates by id; one that cannot be meshed does not stop the others."""
+    assert state.plates is not None  # the keys are those of plates
+    while not is_prepared.wait(0.05):
+        yield Progress(_translated("Preparing"))
+    yield Progress(_translated("Dividing contours"), 0, len(keys))
+    contours = contours or attempts(state.plates, size)
+    tracks: dict[str, Track] = {}
+    refused: dict[str, HullquadError] = {}
+    for i, key in enumerate(keys):
+        yield Progress(_translated("Meshing {plate}").format(plate=key), i, len(keys))
+        try:
+            mesh = pipeline.paper_mesh(_contour(contours, key), state.plates.input_hash)
+            tracks[key] = _track(mesh, metric)
+        except HullquadError as error:
+            refused[key] = error
+    return Meshed(state.plates, tracks, refused)
+
+
+def saved(files: Mapping[Path, Mesh], metric: Metric) -> Work:
+    """Write meshes with their values by a metric; the files."""
+    for path in files:
+        check_output(path)
+    for i, (path, mesh) in enumerate(files.items()):
+        yield Progress(_translated("Saving {file}").format(file=path.name), i, len(files))
+        write_mesh(mesh, path, {metric.key: quality(mesh, metric).values})
+    return list(files)
+
+
+def _contour(contours: Mapping[str, Attempt], key: str) -> Contour:
+    if key not in contours:
+        raise MeshingError("E_CURVED", key)
+    if isinstance(contour := contours[key], PlateError):
+        raise contour
+    return contour
+
+
+def _track(mesh: Mesh, metric: Metric) -> Track:
+    from hullquad.optimization.paper import unmoved  # noqa: PLC0415  brings Numba: half a second
+
+    return Track((unmoved(mesh, metric),))
+
+
+def _translated(text: str) -> str:
+    return QCoreApplication.translate("Work", text)
