@@ -1,0 +1,143 @@
+"""What the program remembers from one day to the next; whatever cannot be read is forgotten."""
+
+import base64
+import json
+from collections.abc import Callable, Mapping
+from math import isfinite
+from pathlib import Path
+from typing import Any, TypeVar
+
+import attrs
+from PySide6.QtCore import QByteArray, QSettings
+
+from hullquad.metrics import METRICS
+from hullquad.optimization.settings import PaperSettings
+
+MOST_RECENT = 10
+THEMES = ("system", "light", "dark")
+
+_KEYS = frozenset(row.key for row in METRICS)
+_LEAST = {"step": 0.0, "iterations": 1, "tolerance": 0.0, "window": 1}
+
+Kept = TypeVar("Kept")
+
+
+class Settings:
+    """Values by name in an ini file, each written as JSON."""
+
+    def __init__(self, store: QSettings | None = None) -> None:
+        scope = QSettings.Scope.UserScope
+        self._store = store or QSettings(QSettings.Format.IniFormat, scope, "hullquad", "hullquad")
+
+    @property
+    def geometry(self) -> QByteArray:
+        """Where the window was; empty when it was nowhere."""
+        return self._read("geometry", _bytes, QByteArray())
+
+    @geometry.setter
+    def geometry(self, geometry: QByteArray) -> None:
+        self._write("geometry", _text(geometry))
+
+    @property
+    def layout(self) -> QByteArray:
+        """Where the docks were; empty when they were nowhere."""
+        return self._read("layout", _bytes, QByteArray())
+
+    @layout.setter
+    def layout(self, layout: QByteArray) -> None:
+        self._write("layout", _text(layout))
+
+    @property
+    def theme(self) -> str:
+        """One of `THEMES`."""
+        return self._read("theme", lambda value: value if value in THEMES else "system", "system")
+
+    @theme.setter
+    def theme(self, theme: str) -> None:
+        self._write("theme", theme)
+
+    @property
+    def recent(self) -> list[Path]:
+        """Files that were opened and are still there, the last one first."""
+        return self._read("recent", _files, [])
+
+    def add_recent(self, path: Path) -> None:
+        """Remember a file that was opened."""
+        path = path.absolute()
+        others = (other for other in self.recent if other != path)
+        self._write("recent", [str(file) for file in (path, *others)][:MOST_RECENT])
+
+    @property
+    def limits(self) -> dict[str, float]:
+        """The user's limits by metric key."""
+        return self._read("limits", _limits, {})
+
+    @limits.setter
+    def limits(self, limits: Mapping[str, float]) -> None:
+        self._write("limits", dict(limits))
+
+    @property
+    def metric(self) -> str:
+        """Key of the metric that was shown last."""
+        return self._read("metric", lambda value: value if value in _KEYS else "stretch", "stretch")
+
+    @metric.setter
+    def metric(self, key: str) -> None:
+        self._write("metric", key)
+
+    @property
+    def objective(self) -> str | None:
+        """Key of the metric to optimise by; None for the one that is shown."""
+        return self._read("objective", lambda value: value if value in _KEYS else None, None)
+
+    @objective.setter
+    def objective(self, key: str | None) -> None:
+        self._write("objective", key)
+
+    @property
+    def paper(self) -> PaperSettings:
+        """Parameters of the paper's method."""
+        return self._read("paper", _paper, PaperSettings())
+
+    @paper.setter
+    def paper(self, paper: PaperSettings) -> None:
+        self._write("paper", attrs.asdict(paper))
+
+    def _read(self, name: str, meant: Callable[[Any], Kept], otherwise: Kept) -> Kept:
+        try:
+            return meant(json.loads(str(self._store.value(name))))
+        except (ValueError, TypeError, KeyError, AttributeError, OSError, RecursionError, OverflowError):
+            return otherwise
+
+    def _write(self, name: str, value: Any) -> None:
+        self._store.setValue(name, json.dumps(value))
+
+
+def _bytes(value: str) -> QByteArray:
+    return QByteArray(base64.b64decode(value, validate=True))
+
+
+def _text(value: QByteArray) -> str:
+    return base64.b64encode(value.data()).decode("ascii")
+
+
+def _files(names: list[str]) -> list[Path]:
+    paths = [Path(name) for name in dict.fromkeys(names)]
+    return [path for path in paths if path.is_file()][:MOST_RECENT]
+
+
+def _limits(value: dict[str, float]) -> dict[str, float]:
+    return {key: float(limit) for key, limit in value.items() if key in _KEYS and isfinite(limit)}
+
+
+def _paper(value: dict[str, Any]) -> PaperSettings:
+    known = attrs.asdict(PaperSettings())
+    sound = {name: given for name, given in value.items() if name in known and _is_sound(name, given, known[name])}
+    return PaperSettings(**sound)
+
+
+def _is_sound(name: str, given: Any, usual: Any) -> bool:
+    if isinstance(usual, bool) or isinstance(given, bool):
+        return isinstance(given, bool) and isinstance(usual, bool)
+    kinds = (int, float) if isinstance(usual, float) else (int,)
+    return isinstance(given, kinds) and isfinite(given) and given >= _LEAST[name]
