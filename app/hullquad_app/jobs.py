@@ -125,7 +125,7 @@ class Jobs(QObject):
         self._is_prepared = threading.Event()
         self._is_prepared.set()  # without `prepare` everybody prepares what he needs
         self.preparing = Job(self, worker.cancel)
-        self.opening = Job(self)
+        self.opening = Job(self, self._cancel_worker)
         """Done with a `State`."""
         self.dividing = Job(self)
         """Done with a `work.Division`."""
@@ -162,6 +162,8 @@ class Jobs(QObject):
         """End all threads and the worker; files are written to their end. No signal comes any more."""
         for job in self.all:
             job.leave()
+        self.preparing.stop_and_wait()
+        self._is_prepared.set()
         for job in self.all:
             job.stop_and_wait()
         worker.stop()

@@ -1,0 +1,50 @@
+"""What can be done now: actions and buttons read it, and are enabled by it."""
+
+import attrs
+
+from hullquad_app.document import Document
+from hullquad_app.jobs import Jobs
+
+
+@attrs.frozen(kw_only=True)
+class Abilities:
+    """One claim for each intention that is not always possible."""
+
+    can_step: bool = False
+    can_run: bool = False
+    can_pause: bool = False
+    can_reset: bool = False
+    can_scrub: bool = False
+    """There is more than one iterate."""
+    can_mesh: bool = False
+    """The plate that is shown."""
+    can_mesh_all: bool = False
+    can_cancel: bool = False
+    """Opening or meshing."""
+    can_save: bool = False
+    can_picture: bool = False
+    """A mesh is shown: there is something to judge, select and picture."""
+    can_undo: bool = False
+    can_redo: bool = False
+
+
+def abilities(document: Document, jobs: Jobs) -> Abilities:
+    """What can be done with a document while jobs run."""
+    scene, plates = document.scene, document.scene.state.plates
+    is_meshing, is_opening = jobs.meshing.is_running, jobs.opening.is_running
+    has_mesh, iterates = scene.mesh is not None, 0 if scene.track is None else len(scene.track.iterates)
+    is_idle = has_mesh and not scene.running and not is_meshing and not is_opening
+    return Abilities(
+        can_step=is_idle,
+        can_run=is_idle,
+        can_pause=scene.running,
+        can_reset=iterates > 1,
+        can_scrub=iterates > 1,
+        can_mesh=scene.plate is not None and not is_meshing and not is_opening,
+        can_mesh_all=plates is not None and len(plates.plates) > 1 and not is_meshing and not is_opening,
+        can_cancel=is_meshing or is_opening,
+        can_save=bool(scene.state.tracks) and not jobs.saving.is_running,
+        can_picture=has_mesh,
+        can_undo=scene.running or document.edits.canUndo(),
+        can_redo=not scene.running and document.edits.canRedo(),
+    )

@@ -1,0 +1,239 @@
+"""What the user can do, on document, optimiser and jobs: everything between the widgets and the engine."""
+
+import logging
+from collections.abc import Iterable
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+
+from hullquad.errors import HullquadError
+from hullquad.mesh import Mesh
+from hullquad.metrics import metric
+from hullquad.optimization.settings import PaperSettings
+from hullquad.optimization.stops import Stop
+from hullquad_app.abilities import Abilities, abilities
+from hullquad_app.bookmarks import Bookmarks
+from hullquad_app.document import Document, Scene
+from hullquad_app.optimizer import Optimizer
+from hullquad_app.settings import Settings
+from hullquad_app.track import Track
+from hullquad_app.work import Size
+from hullquad_app.workshop import Workshop
+
+
+class Session(QObject):
+    """The user's intentions as methods; what has come of them is in `document.scene`.
+
+    A run is shown while it goes on, and becomes one step of undo when it ends. What needs the document as it is
+    (another plate or metric, undo, reset, meshing, saving) ends it first, as a pause would.
+    """
+
+    message = Signal(object)
+    """Emitted with a `HullquadError`, or with a text: its first line is the message, the others are details."""
+    busy = Signal(str, int, int)
+    """Emitted with what is being done, and how much of it is done of how much (0 where nobody can tell)."""
+    idle = Signal()
+    """Emitted when nothing is being done any more."""
+    able = Signal(object)
+    """Emitted with `Abilities`, when they have changed."""
+    opened = Signal(object)
+    """Emitted with the path of a file that was opened."""
+    saved = Signal(object)
+    """Emitted with the list of files that were written."""
+    divided = Signal(object)
+    """Emitted with the `work.Division` that was asked for."""
+
+    def __init__(self, settings: Settings | None = None, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.settings = settings or Settings()
+        self.document = Document(self)
+        self.optimizer = Optimizer(self.document, self)
+        self.workshop = Workshop(self.document, self.optimizer.finish, self)
+        self.abilities = Abilities()
+        self._bookmarks = Bookmarks()
+        self.document.look(metric=metric(self.settings.metric), limits=self.settings.limits)
+        self._connect()
+
+    @property
+    def is_modified(self) -> bool:
+        """Whether something would be lost if the program ended now."""
+        return not self.document.edits.isClean() or self.optimizer.is_running
+
+    def prepare(self) -> None:
+        """Load what meshing and judging need, while the user looks at the empty window."""
+        self.workshop.jobs.prepare()
+        self._tell_able()
+
+    def open(self, path: Path) -> None:
+        """Open a document or a mesh in place of what is open."""
+        self.workshop.open(Path(path))
+        self._tell_able()
+
+    def mesh(self, size: Size = None, *, all_plates: bool = False) -> None:
+        """Mesh the plate that is shown, or every plate of the document."""
+        self.optimizer.finish()
+        scene = self.document.scene
+        keys = scene.state.keys if all_plates else (scene.view.key,)
+        if scene.state.plates is not None:
+            self.workshop.mesh([key for key in keys if key is not None], size)
+            self._tell_able()
+
+    def divide(self, size: Size = None) -> None:
+        """Have `divided` emitted with the contours for a size."""
+        self.workshop.divide(size)
+
+    def cancel(self) -> None:
+        """Give up what is being opened or meshed."""
+        self.workshop.cancel()
+
+    def save(self, path: Path) -> None:
+        """Write the mesh as it is shown; of a document with several plates each beside it (``OUT-ID.vtu``)."""
+        self.optimizer.finish()
+        self.workshop.save(self._files(Path(path)))
+        self._tell_able()
+
+    def step(self) -> None:
+        """One iteration from the iterate that is shown."""
+        self._optimize(steps=1)
+
+    def run(self) -> None:
+        """Iterations from the iterate that is shown, until the method ends or somebody pauses."""
+        self._optimize(steps=None)
+
+    def pause(self) -> None:
+        """End the run after the iterate in the making."""
+        self.optimizer.pause()
+
+    def reset(self) -> None:
+        """Go back to the mesh as it was generated or loaded."""
+        self.optimizer.finish()
+        scene = self.document.scene
+        if scene.track is not None and scene.view.key is not None and len(scene.track.iterates) > 1:
+            after = scene.state.with_track(scene.view.key, Track((scene.track.first,)))
+            self.document.change(self.tr("Reset {plate}").format(plate=scene.view.key), after)
+
+    def scrub(self, position: int) -> None:
+        """Show an iterate; while a run goes on it goes on behind it."""
+        if self.optimizer.is_running:
+            self.optimizer.hold(position)
+        else:
+            self.document.look(position=position)
+
+    def scrub_by(self, iterates: int) -> None:
+        """Show an iterate further on, or back."""
+        scene = self.document.scene
+        if scene.track is not None:
+            self.scrub(min(max(scene.position + iterates, 0), len(scene.track.iterates) - 1))
+
+    def choose_metric(self, key: str) -> None:
+        """Show, and optimise by, another metric."""
+        self.optimizer.finish()
+        self.document.look(metric=metric(key))
+        self.settings.metric = key
+
+    def set_limit(self, limit: float) -> None:
+        """Have quads fail from another value on."""
+        view = self.document.scene.view
+        self._look_by({**view.limits, view.metric.key: limit})
+
+    def reset_limit(self) -> None:
+        """Have quads fail where the metric's acceptable band ends."""
+        view = self.document.scene.view
+        self._look_by({key: limit for key, limit in view.limits.items() if key != view.metric.key})
+
+    def choose_plate(self, key: str) -> None:
+        """Show another plate, at the iterate where it was left."""
+        self.optimizer.finish()
+        track = self.document.scene.state.tracks.get(key)
+        self.document.look(key=key, position=-1 if track is None else self._bookmarks.row(key, track))
+
+    def select(self, rows: Iterable[int], *, extend: bool = False) -> None:
+        """Select elements; `extend` adds them, or takes them away if all of them are selected."""
+        selected, chosen = self.document.scene.view.selection, frozenset(rows)
+        if extend:
+            chosen = selected - chosen if chosen <= selected else selected | chosen
+        self.document.look(selection=chosen)
+
+    def set_paper(self, paper: PaperSettings) -> None:
+        """Have the next run use other parameters."""
+        self.settings.paper = paper
+
+    def choose_objective(self, key: str | None) -> None:
+        """Optimise by another metric than the one that is shown; None: by that."""
+        self.optimizer.finish()
+        self.settings.objective = key
+
+    def undo(self) -> None:
+        """Take the last edit back; a run that goes on is the last edit."""
+        index, is_running = self.document.edits.index(), self.optimizer.is_running
+        self.optimizer.finish()
+        if not is_running or self.document.edits.index() != index:
+            self.document.edits.undo()
+
+    def redo(self) -> None:
+        """Do again what was undone."""
+        self.optimizer.finish()
+        self.document.edits.redo()
+
+    def stop_and_wait(self) -> None:
+        """End all threads and the worker before the program ends; no signal of theirs comes any more."""
+        self.optimizer.stop_and_wait()
+        self.workshop.jobs.stop_and_wait()
+
+    def _connect(self) -> None:
+        workshop = self.workshop
+        for source, signal in (
+            (workshop.message, self.message),
+            (workshop.busy, self.busy),
+            (workshop.idle, self.idle),
+            (workshop.opened, self.opened),
+            (workshop.saved, self.saved),
+            (workshop.divided, self.divided),
+        ):
+            source.connect(signal)
+        self.document.changed.connect(self._remember)
+        self.opened.connect(self.settings.add_recent)
+        self.optimizer.ended_unmoved.connect(self._tell_stop)
+        self.optimizer.failed.connect(self._tell_failed)
+        self.document.edits.canUndoChanged.connect(self._tell_able)
+        self.document.edits.canRedoChanged.connect(self._tell_able)
+        for job in workshop.jobs.all:
+            job.ended.connect(self._tell_able)
+
+    def _optimize(self, steps: int | None) -> None:
+        if self.abilities.can_run:
+            key = self.settings.objective or self.document.scene.view.metric.key
+            self.optimizer.start(metric(key), self.settings.paper, steps)
+
+    def _look_by(self, limits: dict[str, float]) -> None:
+        self.document.look(limits=limits)
+        self.settings.limits = limits
+
+    def _files(self, path: Path) -> dict[Path, Mesh]:
+        """Shown mesh of every plate that has one, by the file it goes to."""
+        state = self.document.scene.state
+        meshes = {key: track.iterates[self._bookmarks.row(key, track)].mesh for key, track in state.tracks.items()}
+        if len(state.keys) == 1:
+            return dict.fromkeys([path], *meshes.values())
+        return {path.with_name(f"{path.stem}-{key}{path.suffix}"): mesh for key, mesh in meshes.items()}
+
+    def _remember(self, scene: Scene) -> None:
+        self._bookmarks.remember(scene)
+        self._tell_able()
+
+    def _tell_able(self) -> None:
+        able = abilities(self.document, self.workshop.jobs)
+        if able != self.abilities:
+            self.abilities = able
+            self.able.emit(able)
+
+    def _tell_stop(self, stop: Stop) -> None:
+        self.message.emit(f"{stop.reason}. {stop.advice}")
+
+    def _tell_failed(self, problem: Exception) -> None:
+        if isinstance(problem, HullquadError):
+            self.message.emit(problem)
+            return
+        logging.error("a run broke down", exc_info=problem)
+        text = self.tr("The run broke down and was ended; what came before is kept: {problem}")
+        self.message.emit(text.format(problem=f"{type(problem).__name__}: {problem}"))

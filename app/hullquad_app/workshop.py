@@ -1,0 +1,154 @@
+"""Long work on the document: what is asked of the jobs, and what becomes of their answers."""
+
+import logging
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+
+import attrs
+from PySide6.QtCore import QObject, Signal
+
+from hullquad.errors import HullquadError
+from hullquad.mesh import Mesh
+from hullquad_app.document import Document, State
+from hullquad_app.jobs import Jobs
+from hullquad_app.work import Division, Meshed, Progress, Size
+
+KEPT_DIVISIONS = 16
+
+
+class Workshop(QObject):
+    """Opens, divides, meshes and saves; the document changes when the work is done, and only then.
+
+    Parameters
+    ----------
+    settle
+        Ends what goes on with the document, so that it can be changed.
+    """
+
+    message = Signal(object)
+    busy = Signal(str, int, int)
+    idle = Signal()
+    opened = Signal(object)
+    saved = Signal(object)
+    divided = Signal(object)
+    """All six are described in `session.Session`."""
+
+    def __init__(self, document: Document, settle: Callable[[], None], parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.jobs = Jobs(self)
+        self.refused: dict[str, HullquadError] = {}
+        """Why plates could not be meshed, by id."""
+        self._document, self._settle = document, settle
+        self._divisions: dict[Size, Division] = {}
+        self._being_saved: tuple[int, State] = (0, State())
+        for job in self.jobs.all:
+            job.broke.connect(self._tell_broken)
+            job.ended.connect(self._tell_idle)
+        for job in (self.jobs.opening, self.jobs.meshing, self.jobs.saving):
+            job.refused.connect(self.message)
+        for job in (self.jobs.preparing, self.jobs.opening, self.jobs.meshing, self.jobs.saving):
+            job.progressed.connect(self._tell_busy)
+        self.jobs.opening.done.connect(self._show_opened)
+        self.jobs.dividing.done.connect(self._show_divided)
+        self.jobs.meshing.done.connect(self._show_meshed)
+        self.jobs.saving.done.connect(self._show_saved)
+
+    def open(self, path: Path) -> None:
+        """Read a document or a mesh, and show it."""
+        self.jobs.open(path, self._document.scene.view.metric)
+
+    def division(self, size: Size) -> Division | None:
+        """Contours of the document, divided for a size, if they are known."""
+        known = self._divisions.get(size)
+        return known if known is not None and known.plates is self._document.scene.state.plates else None
+
+    def divide(self, size: Size) -> None:
+        """Have `divided` emitted with the contours of the document, at once if they are known."""
+        plates, known = self._document.scene.state.plates, self.division(size)
+        if known is not None:
+            self.divided.emit(known)
+        elif plates is not None:
+            self.jobs.divide(plates, size)
+
+    def mesh(self, keys: Sequence[str], size: Size) -> None:
+        """Mesh plates of the document."""
+        scene, known = self._document.scene, self.division(size)
+        self.jobs.mesh(scene.state, keys, size, scene.view.metric, None if known is None else known.contours)
+
+    def save(self, files: Mapping[Path, Mesh]) -> None:
+        """Write meshes; the document is then no longer modified."""
+        scene = self._document.scene
+        self._being_saved = (self._document.edits.index(), scene.state)
+        self.jobs.save(files, scene.view.metric)
+
+    def cancel(self) -> None:
+        """Give up what is being opened or meshed; the document stays as it is."""
+        self.jobs.opening.cancel()
+        self.jobs.meshing.cancel()
+
+    def _show_opened(self, state: State) -> None:
+        self.jobs.meshing.cancel()
+        self._settle()
+        self.refused = {}
+        self._divisions.clear()
+        self._document.open(state)
+        self.opened.emit(state.path)
+        if state.plates is not None and state.plates.warnings:
+            self._tell_all([str(notice) for notice in state.plates.warnings])
+
+    def _show_divided(self, division: Division) -> None:
+        if division.plates is self._document.scene.state.plates:
+            for size in list(self._divisions)[: 1 - KEPT_DIVISIONS]:
+                del self._divisions[size]
+            self._divisions[division.size] = division
+            self.divided.emit(division)
+
+    def _show_meshed(self, meshed: Meshed) -> None:
+        self._settle()
+        state = self._document.scene.state
+        if state.plates is not meshed.plates:
+            return
+        kept = {key: error for key, error in self.refused.items() if key not in meshed.tracks}
+        self.refused = {**kept, **meshed.refused}
+        if meshed.tracks:
+            after = attrs.evolve(state, tracks={**state.tracks, **meshed.tracks})
+            self._document.change(self._label(meshed), after, self._key_to_show(meshed))
+        self._tell_refused(list(meshed.refused.values()))
+
+    def _key_to_show(self, meshed: Meshed) -> str | None:
+        """The plate that is shown already, if it is among those that were meshed."""
+        shown = self._document.scene.view.key
+        return shown if shown in meshed.tracks or len(meshed.tracks) > 1 else next(iter(meshed.tracks))
+
+    def _show_saved(self, files: list[Path]) -> None:
+        if self._being_saved == (self._document.edits.index(), self._document.scene.state):
+            self._document.edits.setClean()
+        self.saved.emit(files)
+
+    def _label(self, meshed: Meshed) -> str:
+        if len(meshed.tracks) > 1:
+            return self.tr("Mesh {count} plates").format(count=len(meshed.tracks))
+        ((key, track),) = meshed.tracks.items()
+        return self.tr("Mesh {plate} ({size} mm)").format(plate=key, size=f"{track.first.mesh.target_size:g}")
+
+    def _tell_refused(self, errors: list[HullquadError]) -> None:
+        if len(errors) == 1:
+            self.message.emit(errors[0])
+        elif errors:
+            count = self.tr("{count} plates could not be meshed:").format(count=len(errors))
+            self.message.emit("\n".join([count, *map(str, errors)]))
+
+    def _tell_all(self, texts: list[str]) -> None:
+        self.message.emit("\n".join(texts))
+
+    def _tell_broken(self, problem: Exception) -> None:
+        logging.error("a job broke down", exc_info=problem)
+        text = self.tr("This broke down and was ended, nothing else is affected: {problem}")
+        self.message.emit(text.format(problem=f"{type(problem).__name__}: {problem}"))
+
+    def _tell_busy(self, progress: Progress) -> None:
+        self.busy.emit(progress.text, progress.done, progress.total)
+
+    def _tell_idle(self) -> None:
+        if not any(job.is_running for job in self.jobs.all):
+            self.idle.emit()
