@@ -27,7 +27,7 @@ class Quality:
     is_triangle: Bools
     """(E,)"""
 
-    @property
+    @cached_property
     def worst_element(self) -> int:
         """Row of the worst element."""
         return int(self.values.argmin() if self.metric.higher_is_better else self.values.argmax())
