@@ -1,0 +1,216 @@
+"""The picture of a histogram: bars in the colours of the map, its limit, and the colours as a strip below."""
+
+import attrs
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import QBrush, QColor, QFontMetricsF, QPainter, QPen, QPolygonF
+
+from hullquad.histogram import Histogram
+from hullquad.metrics import DEGREES
+from hullquad.quality import Quality
+from hullquad_app.colours import ColourMap, Palette
+from hullquad_app.panels.axis import Axis, labels, ticks, top
+from hullquad_app.panels.figures import counted, plain
+
+_ALMOST = -1e-9
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+_CENTRE = Qt.AlignmentFlag.AlignCenter
+_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+
+
+@attrs.frozen(eq=False, kw_only=True)
+class Bars:
+    """What a histogram shows, and where."""
+
+    quality: Quality
+    now: Histogram
+    first: Histogram | None
+    """Of iteration 0, where that is another mesh."""
+    selected: frozenset[int]
+    """Bins with selected elements."""
+    x: Axis
+    y: Axis
+    strip: QRectF
+    legend: QRectF
+
+    def bin_at(self, point: QPointF) -> int | None:
+        """Number of the bin at or above whose ground a point is; none beside the axes."""
+        inside = self.x.start <= point.x() <= self.x.end and self.y.end <= point.y() <= self.strip.bottom()
+        share = (point.x() - self.x.start) / max(self.x.end - self.x.start, 1.0)
+        count = len(self.now.totals)
+        return min(int(share * count), count - 1) if inside else None
+
+    def is_limit_at(self, point: QPointF, reach: float) -> bool:
+        """Whether a point is on the line of the limit."""
+        near = abs(point.x() - self.x.at(self.quality.limit)) <= reach
+        return near and self.y.end - 2 * self.strip.height() <= point.y() <= self.strip.bottom() + self.strip.height()
+
+    def column(self, number: int) -> QRectF:
+        """All of the ground of one bin."""
+        edges = self.now.edges
+        left, right = round(self.x.at(edges[number])), round(self.x.at(edges[number + 1]))
+        return QRectF(left, self.y.end, right - left, self.y.start - self.y.end)
+
+
+def bars(
+    area: QRectF,
+    letters: QFontMetricsF,
+    quality: Quality,
+    now: Histogram,
+    first: Histogram | None,
+    selected: frozenset[int],
+) -> Bars:
+    """Arrange a histogram in an area."""
+    line = letters.height()
+    most = top(int(max(now.totals.max(), 0 if first is None else first.totals.max())))
+    left = area.left() + letters.horizontalAdvance(counted(most)) + 0.5 * line
+    right = area.right() - 0.7 * line
+    ground = round(area.bottom() - 3.6 * line)
+    return Bars(
+        quality=quality,
+        now=now,
+        first=first,
+        selected=selected,
+        x=Axis(float(now.edges[0]), float(now.edges[-1]), round(left), round(right)),
+        y=Axis(0, most, ground, round(area.top() + 1.4 * line)),
+        strip=QRectF(round(left), ground + round(0.25 * line), round(right) - round(left), round(0.5 * line)),
+        legend=QRectF(left, area.bottom() - 1.3 * line, area.right() - left, 1.3 * line),
+    )
+
+
+def draw(painter: QPainter, plot: Bars, palette: Palette, chosen: ColourMap) -> None:
+    """Draw all but the limit."""
+    _draw_counts(painter, plot, palette)
+    _draw_bars(painter, plot, chosen)
+    _draw_selected(painter, plot, palette)
+    _draw_first(painter, plot, palette)
+    _draw_strip(painter, plot, palette, chosen)
+
+
+def draw_limit(painter: QPainter, plot: Bars, palette: Palette, text: str, *, lively: bool) -> None:
+    """Draw the limit as a line with its value; in the accent colour while it can be moved."""
+    line = plot.strip.height() * 2
+    at, colour = round(plot.x.at(plot.quality.limit)), QColor(palette.accent if lively else palette.text)
+    painter.setPen(QPen(colour, 2 if lively else 1.5))
+    painter.drawLine(QLineF(at, plot.y.end - 1.3 * line, at, plot.strip.bottom() + 2))
+    width = painter.fontMetrics().horizontalAdvance(text)
+    fits = at + width + 0.4 * line < plot.x.end + 0.7 * line
+    left = at + 0.3 * line if fits else at - 0.3 * line - width
+    painter.drawText(QRectF(left, plot.y.end - 1.4 * line, width + 1, line), _LEFT, text)
+
+
+def _draw_counts(painter: QPainter, plot: Bars, palette: Palette) -> None:
+    line = plot.strip.height() * 2
+    for value in sorted({0, int(plot.y.high) // 2, int(plot.y.high)}):
+        y = round(plot.y.at(value))
+        painter.setPen(QPen(QColor(palette.rule), 1))
+        painter.drawLine(QLineF(plot.x.start, y, plot.x.end, y))
+        painter.setPen(QColor(palette.dim))
+        painter.drawText(QRectF(0, y - line, plot.x.start - 0.4 * line, 2 * line), _RIGHT, counted(value))
+
+
+def _draw_bars(painter: QPainter, plot: Bars, chosen: ColourMap) -> None:
+    for number in plot.now.totals.nonzero()[0].tolist():
+        ground, height = plot.column(number).adjusted(0, 0, -1, 0), 0.0
+        for portion, count in enumerate(plot.now.counts[:, number].tolist()):
+            if not count:
+                continue
+            tall = max(plot.y.start - plot.y.at(count), 2.0)  # one among a million is seen too
+            colour = portion_colour(portion, float(plot.now.grades[portion, number]), chosen)
+            bar = QRectF(ground.left(), ground.bottom() - height - tall, ground.width(), tall)
+            painter.fillRect(bar, QColor(colour))
+            height += tall
+
+
+def portion_colour(portion: int, grade: float, chosen: ColourMap) -> str:
+    """Colour of the elements that are not valid, that fail or that pass (see `hullquad.histogram.PORTIONS`)."""
+    return chosen.colour(min(grade, _ALMOST) if portion == 1 else grade, valid=portion > 0)
+
+
+def _draw_selected(painter: QPainter, plot: Bars, palette: Palette) -> None:
+    painter.setPen(QPen(QColor(palette.selection), 1.5))
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    for number in plot.selected:
+        height = max(plot.y.start - plot.y.at(float(plot.now.totals[number])), 3.0)
+        column = plot.column(number)
+        painter.drawRect(QRectF(column.left() - 1, column.bottom() - height - 1, column.width() + 1, height + 1))
+
+
+def _draw_first(painter: QPainter, plot: Bars, palette: Palette) -> None:
+    if plot.first is None:
+        return
+    painter.setPen(first_pen(palette))
+    before = plot.y.start
+    for number, count in enumerate(plot.first.totals.tolist()):
+        column, height = plot.column(number), round(plot.y.at(count))
+        if height != before:
+            painter.drawLine(QLineF(column.left(), before, column.left(), height))
+        if count:
+            painter.drawLine(QLineF(column.left(), height, column.right(), height))
+        before = height
+    if before != plot.y.start:
+        painter.drawLine(QLineF(plot.x.end, before, plot.x.end, plot.y.start))
+
+
+def first_pen(palette: Palette) -> QPen:
+    """Pen of the outline of iteration 0."""
+    return QPen(QColor(palette.dim), 1, Qt.PenStyle.DotLine)
+
+
+def _draw_strip(painter: QPainter, plot: Bars, palette: Palette, chosen: ColourMap) -> None:
+    width = 2
+    for left in range(round(plot.strip.left()), round(plot.strip.right()), width):
+        value = plot.x.value(left + width / 2)
+        colour = chosen.colour(_grade(plot.quality, value))
+        right = min(left + width, plot.strip.right())
+        painter.fillRect(QRectF(left, plot.strip.top(), right - left, plot.strip.height()), QColor(colour))
+    _draw_triangle_limit(painter, plot, palette)
+    line = plot.strip.height() * 2
+    painter.setPen(QColor(palette.dim))
+    values = _values(plot.x, plot.quality.metric.unit)
+    for value, text in zip(values, _value_labels(plot, values), strict=True):
+        painter.drawText(QRectF(plot.x.at(value) - 60, plot.strip.bottom() + 0.15 * line, 120, line), _CENTRE, text)
+
+
+def _grade(quality: Quality, value: float) -> float:
+    beyond = value < quality.limit if quality.metric.higher_is_better else value > quality.limit
+    grade = quality.grade(value)
+    return min(grade, _ALMOST) if beyond else grade
+
+
+def _values(x: Axis, unit: str) -> list[float]:
+    if unit != DEGREES:
+        return ticks(x.low, x.high, 6)
+    return [float(angle) for angle in range(0, 361, 30) if x.low <= angle <= x.high]
+
+
+def _value_labels(plot: Bars, values: list[float]) -> list[str]:
+    texts = [text + plot.quality.metric.unit for text in labels(values)]
+    if plot.now.is_open_above and values[-1] >= plot.x.high:
+        texts[-1] = ">" + texts[-1]
+    return texts
+
+
+def has_triangle_limit(quality: Quality) -> bool:
+    """Whether there are triangles that fail at another value than quads."""
+    row = quality.metric
+    return row.triangle_band is not None and row.triangle_limit != quality.limit and bool(quality.is_triangle.any())
+
+
+def _draw_triangle_limit(painter: QPainter, plot: Bars, palette: Palette) -> None:
+    if not has_triangle_limit(plot.quality):
+        return
+    at, reach = plot.x.at(plot.quality.metric.triangle_limit), plot.strip.height() / 2
+    draw_triangle(painter, QPointF(at, plot.strip.center().y()), reach, palette)
+
+
+def draw_triangle(painter: QPainter, centre: QPointF, reach: float, palette: Palette) -> None:
+    """Draw the mark of the triangles' own limit."""
+    shape = [QPointF(0, -reach), QPointF(reach, 0.8 * reach), QPointF(-reach, 0.8 * reach)]
+    painter.setPen(QPen(QColor(palette.panel), 1))
+    painter.setBrush(QBrush(QColor(palette.text)))
+    painter.drawPolygon(QPolygonF([centre + corner for corner in shape]))
+
+
+def limit_label(quality: Quality) -> str:
+    """The limit with its unit."""
+    return plain(quality.limit, quality.metric)

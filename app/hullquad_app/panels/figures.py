@@ -1,0 +1,53 @@
+"""Numbers as people read them: three significant decimals, figures of one width."""
+
+from math import isinf
+
+from PySide6.QtGui import QFont
+
+from hullquad.metrics import DEGREES, Metric
+
+CAPTION = 0.85
+"""Size of a caption over that of the font."""
+KEY = 1.5
+"""Size of a key figure over that of the font."""
+
+
+def shown(value: float, by: Metric) -> str:
+    """A value of a metric, without its unit; every value of a metric has the same number of decimals."""
+    if isinf(value):
+        return "∞" if value > 0 else "−∞"
+    decimals = 1 if by.unit == DEGREES else 3 if by.high <= 1 else 2
+    return signed(f"{value:.{decimals}f}" if abs(value) < 1e4 else f"{value:.2e}")
+
+
+def summed(objective: float, by: Metric) -> str:
+    """A sum of values of a metric, with its unit."""
+    if isinf(objective):
+        return "∞" if objective > 0 else "−∞"
+    return signed(f"{objective:.{1 if by.unit == DEGREES else 3}f}{by.unit}")
+
+
+def plain(value: float, by: Metric) -> str:
+    """A value as short as it can be, with its unit: of limits and ends of bins."""
+    return "∞" if isinf(value) else signed(f"{value:.4g}{by.unit}")
+
+
+def counted(number: int) -> str:
+    """A number of things, its thousands apart."""
+    return f"{number:,}".replace(",", "\N{NARROW NO-BREAK SPACE}")
+
+
+def signed(text: str) -> str:
+    """The text with a true minus."""
+    return text.replace("-", "−")
+
+
+def sized(font: QFont, factor: float = 1.0) -> QFont:
+    """The font in another size, its figures all of one width so that numbers do not jump."""
+    other = QFont(font)
+    if font.pointSizeF() > 0:
+        other.setPointSizeF(font.pointSizeF() * factor)
+    else:
+        other.setPixelSize(round(font.pixelSize() * factor))
+    other.setFeature(QFont.Tag("tnum"), 1)
+    return other
