@@ -1,0 +1,87 @@
+"""The course of a plate's mesh: its track as rows of numbers, and as lines of not too many points."""
+
+from collections.abc import Iterator
+
+import attrs
+import numpy as np
+
+from hullquad.arrays import Bools, Floats, Longs, floats
+from hullquad.metrics import Metric
+from hullquad_app.track import Track
+
+
+@attrs.frozen(eq=False, kw_only=True)
+class Part:
+    """Consecutive iterates that were judged by one metric."""
+
+    start: int
+    end: int
+    """Position after the last."""
+    by: Metric
+
+
+@attrs.frozen(eq=False, kw_only=True)
+class Course:
+    """Numbers of every iterate of a track."""
+
+    numbers: Floats = attrs.field(converter=floats)
+    objectives: Floats = attrs.field(converter=floats)
+    worsts: Floats = attrs.field(converter=floats)
+    parts: tuple[Part, ...]
+    best: int
+    """Position of the best iterate of the last run."""
+
+    def part_at(self, position: int) -> Part:
+        """The part that an iterate belongs to."""
+        return next(part for part in self.parts if position < part.end)
+
+    def nearest(self, number: float) -> int:
+        """Position of the iterate whose number is nearest."""
+        after = int(np.searchsorted(self.numbers, number))
+        around = [position for position in (after - 1, after) if 0 <= position < len(self.numbers)]
+        return min(around, key=lambda position: abs(self.numbers[position] - number))
+
+    def alike(self, by: Metric) -> Bools:
+        """(I,) which iterates were judged by a metric."""
+        mask = np.zeros(len(self.numbers), dtype=bool)
+        for part in self.parts:
+            mask[part.start : part.end] = part.by is by
+        return mask
+
+
+def course(track: Track) -> Course:
+    """The numbers of a track's iterates."""
+    return Course(
+        numbers=[iterate.number for iterate in track.iterates],
+        objectives=[iterate.objective for iterate in track.iterates],
+        worsts=[iterate.quality.worst for iterate in track.iterates],
+        parts=tuple(_parts(track)),
+        best=max((row for row, iterate in enumerate(track.iterates) if iterate.is_best), default=0),
+    )
+
+
+def _parts(track: Track) -> Iterator[Part]:
+    metrics = [iterate.quality.metric for iterate in track.iterates]
+    starts = [row for row, by in enumerate(metrics) if row == 0 or by is not metrics[row - 1]]
+    for start, end in zip(starts, [*starts[1:], len(metrics)], strict=True):
+        yield Part(start=start, end=end, by=metrics[start])
+
+
+def thinned(places: Floats, values: Floats) -> Longs:
+    """Rows of the points that a line needs: the first, least, greatest and last in each pixel column.
+
+    Parameters
+    ----------
+    places : (P,) float array
+        Where the points are drawn, from left to right [px].
+    values : (P,) float array
+    """
+    if len(places) < 4:
+        return np.arange(len(places))
+    columns = np.floor(places).astype(np.int64)
+    starts = np.flatnonzero(np.r_[True, columns[1:] != columns[:-1]])
+    if len(starts) * 2 > len(places):
+        return np.arange(len(places))
+    ends = np.r_[starts[1:], len(places)] - 1
+    order = np.lexsort((values, columns))  # within a column from the least value to the greatest
+    return np.unique(np.concatenate([starts, order[starts], order[ends], ends]))
