@@ -1,0 +1,147 @@
+"""The status bar: how large the mesh is, what goes on, and the objective."""
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtWidgets import QLabel, QStatusBar
+
+from hullquad.mesh import Mesh
+from hullquad.metrics import Metric
+from hullquad.optimization.iterate import Iterate
+from hullquad_app.colours import COLOUR_MAPS, LIGHT, ColourMap, Palette
+from hullquad_app.document import Scene
+from hullquad_app.panels.figures import counted, shown, sized, summed
+from hullquad_app.panels.ground import coloured
+
+
+class Sentence(QLabel):
+    """A text that is cut with three points where there is no room for it."""
+
+    def minimumSizeHint(self) -> QSize:
+        """No width at all."""
+        return QSize(0, super().minimumSizeHint().height())
+
+    def paintEvent(self, _: QPaintEvent) -> None:
+        """Draw what there is room for."""
+        painter = QPainter(self)
+        text = painter.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, self.contentsRect().width())
+        painter.drawText(self.rect(), Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, text)
+
+
+class StatusBar(QStatusBar):
+    """Counts and state at the left, a warning, and the objective at the right."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._palette, self._scene, self._activity = LIGHT, Scene(), ""
+        self._sums: dict[Mesh, tuple[Metric, float]] = {}
+        self.counts, self.warning, self.objective = QLabel(), QLabel(), QLabel()
+        self.course = Sentence()
+        names = (self.tr("Size of the mesh"), self.tr("Warning"), self.tr("What goes on"), self.tr("Objective"))
+        labels = (self.counts, self.warning, self.course, self.objective)
+        for label, name in zip(labels, names, strict=True):
+            label.setAccessibleName(name)
+            label.setFont(sized(self.font()))
+        gap = self.fontMetrics().averageCharWidth()
+        for label in labels[:-1]:
+            label.setContentsMargins(0, 0, 2 * gap, 0)
+            self.addWidget(label)
+        self.addPermanentWidget(self.objective)
+        self.setSizeGripEnabled(False)
+        self.setContentsMargins(gap, 0, gap, 0)
+        self.set_palette(LIGHT)
+
+    def show_scene(self, scene: Scene) -> None:
+        """Tell about a scene."""
+        before, self._scene = self._scene, scene
+        if any(new is not old for new, old in zip(_told(scene), _told(before), strict=True)):
+            self._show()
+
+    def say_activity(self, words: str) -> None:
+        """Tell what goes on that no scene knows of, like "preparing…"; nothing when it is over."""
+        self._activity = words
+        self.course.setText(self._course_words())
+
+    def set_palette(self, palette: Palette, _: ColourMap = COLOUR_MAPS[0]) -> None:
+        """Take the colours of a theme."""
+        self._palette = palette
+        for label in (self.counts, self.course, self.objective):
+            coloured(label, palette.dim)
+        coloured(self.warning, palette.fail)
+
+    def _show(self) -> None:
+        scene = self._scene
+        self.counts.setText("" if scene.mesh is None else self._count_words(scene.mesh))
+        self.course.setText(self._course_words())
+        stop = None if scene.iterate is None else scene.iterate.stop
+        self.course.setToolTip("" if stop is None else stop.advice)
+        self._sums = {} if scene.track is None else self._summed(scene.track.first, scene.iterate)
+        self.objective.setText(self._objective_words())
+        self.warning.setText(self._warning_words())
+        self.warning.setVisible(bool(self.warning.text()))
+
+    def _count_words(self, mesh: Mesh) -> str:
+        grid = mesh.topology
+        text = self.tr("{quads} quads · {triangles} triangles · {nodes} nodes ({free} free)")
+        return text.format(
+            quads=counted(len(grid.quads)),
+            triangles=counted(len(grid.triangles)),
+            nodes=counted(len(mesh.points)),
+            free=counted(int(grid.is_free.sum())),
+        )
+
+    def _course_words(self) -> str:
+        scene = self._scene
+        if self._activity:
+            return self._activity
+        if scene.running:
+            return self.tr("running")
+        if scene.track is None or scene.iterate is None:
+            return ""
+        if scene.iterate is not scene.track.last:
+            text = self.tr("iterate {number} of {last} shown")
+            return text.format(number=scene.iterate.number, last=scene.track.last.number)
+        return "" if scene.iterate.stop is None else self.tr("stopped: {why}").format(why=scene.iterate.stop.reason)
+
+    def _objective_words(self) -> str:
+        if self._scene.mesh is None:
+            return ""
+        by = self._scene.view.metric
+        return f"Σ {by.title.lower()} {summed(self._sums[self._scene.mesh][1], by)} · mm"
+
+    def _warning_words(self) -> str:
+        """What the sum does not tell: that it became better while the worst element became worse."""
+        scene = self._scene
+        first, now = scene.first_quality, scene.quality
+        if scene.track is None or scene.mesh is None or first is None or now is None or not len(now.values):
+            return ""
+        by = now.metric
+        sense = 1 if by.higher_is_better else -1
+        gain = sense * (self._sums[scene.mesh][1] - self._sums[scene.track.first.mesh][1])
+        before, after = shown(first.worst, by) + by.unit, shown(now.worst, by) + by.unit
+        if gain <= 0 or sense * (now.worst - first.worst) >= 0 or before == after:
+            return ""
+        higher = self.tr("worst fell {before} → {after} while the sum rose")
+        lower = self.tr("worst rose {before} → {after} while the sum fell")
+        return (higher if by.higher_is_better else lower).format(before=before, after=after)
+
+    def _summed(self, *iterates: Iterate | None) -> dict[Mesh, tuple[Metric, float]]:
+        """Sums of the chosen metric by mesh; one that is known is not computed again."""
+        by = self._scene.view.metric
+        sums: dict[Mesh, tuple[Metric, float]] = {}
+        for iterate in filter(None, iterates):
+            known = self._sums.get(iterate.mesh)
+            sums[iterate.mesh] = known if known is not None and known[0] is by else (by, _objective(iterate, by))
+        return sums
+
+
+def _told(scene: Scene) -> tuple[object, ...]:
+    """All of a scene that is told."""
+    return scene.iterate, scene.track, scene.quality, scene.running
+
+
+def _objective(iterate: Iterate, by: Metric) -> float:
+    if iterate.quality.metric is by:
+        return iterate.objective
+    from hullquad.optimization.paper import objective_sum  # noqa: PLC0415  brings Numba: half a second
+
+    return objective_sum(iterate.mesh, by)
