@@ -1,0 +1,211 @@
+"""How a plate is meshed: element size, mesher, what the contour makes of it; and how far meshing is."""
+
+from PySide6.QtCore import QSignalBlocker, Signal
+from PySide6.QtWidgets import (
+    QComboBox,
+    QDoubleSpinBox,
+    QFormLayout,
+    QHBoxLayout,
+    QLabel,
+    QProgressBar,
+    QPushButton,
+    QSizePolicy,
+    QVBoxLayout,
+    QWidget,
+)
+
+from hullquad.errors import HullquadError, MeshingError
+from hullquad.plate import Plate
+from hullquad.triangulation.contour import Contour
+from hullquad_app.abilities import Abilities
+from hullquad_app.colours import LIGHT, Palette
+from hullquad_app.document import Scene
+from hullquad_app.panels.ground import coloured, dress
+from hullquad_app.work import Division, Size
+
+_LEAST, _MOST = 0.1, 1e6
+_OTHER = "other"
+
+
+class MeshingPanel(QWidget):
+    """Asks by `size_chosen` for the contours of a size, by `requested` for meshes."""
+
+    size_chosen = Signal(object)
+    """Emitted with a size to divide the contours for: a number [mm], a name, or None for the plates' own."""
+    requested = Signal(object, bool)
+    """Emitted with the size, and whether all plates are to be meshed."""
+    cancelled = Signal()
+    """Emitted when meshing is to be given up."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._scene, self._palette = Scene(), LIGHT
+        self._division: Division | None = None
+        self.sizes, self.mesher = QComboBox(), QComboBox()
+        self.millimetres = QDoubleSpinBox(minimum=_LEAST, maximum=_MOST, decimals=1)
+        self.millimetres.setKeyboardTracking(False)
+        self.prospect = QLabel(wordWrap=True)
+        self.one, self.all_plates = QPushButton(self.tr("&Mesh")), QPushButton()
+        self.task, self.progress = QLabel(), QProgressBar(textVisible=False)
+        self.cancel = QPushButton(self.tr("Cancel"))
+        self.mesher.addItem(self.tr("paper: Delaunay, advancing front"))
+        self._explain()
+        self._arrange()
+        self._list_sizes(None)
+        self._connect()
+        self.show_abilities(Abilities())
+        self.show_idle()
+        self.set_palette(LIGHT)
+
+    @property
+    def size_wanted(self) -> Size:
+        """Element size to mesh with."""
+        chosen = self.sizes.currentData()
+        return self.millimetres.value() if chosen == _OTHER else chosen
+
+    def show_scene(self, scene: Scene) -> None:
+        """Show the sizes of the plate, and what its contour makes of the chosen one."""
+        before, self._scene = self._scene, scene
+        if scene.plate is not before.plate:
+            self._list_sizes(scene.plate)
+            self._show_prospect()
+        if scene.state.plates is not before.state.plates:
+            count = 0 if scene.state.plates is None else len(scene.state.plates.plates)
+            self.all_plates.setText(self.tr("Mesh &all {count} plates").format(count=count))
+            self.all_plates.setVisible(count > 1)
+            self._ask()
+
+    def show_abilities(self, able: Abilities) -> None:
+        """Enable what can be done."""
+        self.one.setEnabled(able.can_mesh)
+        self.all_plates.setEnabled(able.can_mesh_all)
+        self.cancel.setEnabled(able.can_cancel)
+
+    def show_division(self, division: Division) -> None:
+        """Show what the contour makes of a size."""
+        self._division = division
+        self._show_prospect()
+
+    def show_progress(self, text: str, done: int = 0, total: int = 0) -> None:
+        """Show what is being done, and how much of it is done of how much."""
+        self.task.setText(text)
+        self.progress.setRange(0, total)
+        self.progress.setValue(done)
+        self._show_task(visible=True)
+
+    def show_idle(self) -> None:
+        """Nothing is being done."""
+        self._show_task(visible=False)
+
+    def set_palette(self, palette: Palette) -> None:
+        """Draw in the colours of a theme."""
+        self._palette = palette
+        dress(self, palette)
+        coloured(self.task, palette.dim)
+        self._show_prospect()
+
+    def _connect(self) -> None:
+        self.sizes.activated.connect(self._choose)
+        self.millimetres.valueChanged.connect(self._ask)
+        self.one.clicked.connect(lambda: self.requested.emit(self.size_wanted, False))
+        self.all_plates.clicked.connect(lambda: self.requested.emit(self.size_wanted, True))
+        self.cancel.clicked.connect(self.cancelled)
+
+    def _choose(self) -> None:
+        self.millimetres.setVisible(self.sizes.currentData() == _OTHER)
+        self._ask()
+
+    def _ask(self) -> None:
+        self._show_prospect()
+        if self._scene.state.plates is not None:
+            self.size_chosen.emit(self.size_wanted)
+
+    def _list_sizes(self, plate: Plate | None) -> None:
+        """List the sizes with the lengths that a plate gives them; the chosen one stays."""
+        row = max(self.sizes.currentIndex(), 0)
+        self.sizes.clear()
+        named = ((self.tr("as the plate says"), None), (self.tr("coarse"), "coarse"), (self.tr("fine"), "fine"))
+        for title, key in (*named, (self.tr("very fine"), "very_fine")):
+            length = "" if plate is None else f": {_length(plate, key):g} mm"
+            self.sizes.addItem(title + length, key)
+        self.sizes.addItem(self.tr("other …"), _OTHER)
+        self.sizes.setCurrentIndex(row)
+        if plate is not None and not self.millimetres.isVisibleTo(self):
+            with QSignalBlocker(self.millimetres):
+                self.millimetres.setValue(plate.target_size)
+
+    def _show_prospect(self) -> None:
+        text, is_refused = self._prospect()
+        self.prospect.setText(text)
+        coloured(self.prospect, self._palette.fail if is_refused else self._palette.dim)
+
+    def _prospect(self) -> tuple[str, bool]:
+        """What the contour makes of the size, and whether the plate is refused."""
+        plate, division = self._scene.plate, self._division
+        if plate is None:
+            return self.tr("Open a plate document to mesh its plates."), False
+        if division is None or division.plates is not self._scene.state.plates or division.size != self.size_wanted:
+            return self.tr("Unavoidable triangles: …"), False
+        contour = division.contours.get(plate.id, MeshingError("E_CURVED", plate.id))
+        if isinstance(contour, HullquadError):
+            return contour.text, True
+        return self._unavoidable(contour), False
+
+    def _unavoidable(self, contour: Contour) -> str:
+        text = self.tr("Unavoidable triangles: {triangles} ({edges} contour edges)")
+        return text.format(triangles=contour.triangles_unavoidable, edges=contour.edge_count)
+
+    def _show_task(self, *, visible: bool) -> None:
+        for widget in (self.task, self.progress, self.cancel):
+            widget.setVisible(visible)
+
+    def _explain(self) -> None:
+        """Accessible names and tips of all controls."""
+        texts = (
+            (self.sizes, self.tr("Element size"), self.tr("Length that an element's edge should have.")),
+            (self.millimetres, self.tr("Element size in millimetres"), self.tr("Any length [mm].")),
+            (self.mesher, self.tr("Mesher"), self.tr("How triangles are made and joined to quads.")),
+            (
+                self.prospect,
+                self.tr("Unavoidable triangles"),
+                self.tr(
+                    "Quads have an even number of contour edges: an odd one leaves a triangle, however it is meshed."
+                ),
+            ),
+            (self.one, self.tr("Mesh the plate"), self.tr("Mesh the plate that is shown.")),
+            (self.all_plates, self.tr("Mesh all plates"), self.tr("Mesh every plate of the document.")),
+            (self.progress, self.tr("Progress"), ""),
+            (self.cancel, self.tr("Cancel"), self.tr("Give up; the document stays as it was.")),
+        )
+        for widget, name, tip in texts:
+            widget.setAccessibleName(name)
+            widget.setToolTip(tip)
+        self.millimetres.setSuffix(self.tr(" mm"))
+
+    def _arrange(self) -> None:
+        self.sizes.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        self.prospect.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self.all_plates.hide()
+        self.millimetres.hide()
+        form = QFormLayout()
+        form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
+        form.addRow(self.tr("Element &size"), self.sizes)
+        form.addRow("", self.millimetres)
+        form.addRow(self.tr("M&esher"), self.mesher)
+        buttons, running = QHBoxLayout(), QHBoxLayout()
+        buttons.addWidget(self.one)
+        buttons.addWidget(self.all_plates)
+        buttons.addStretch()
+        running.addWidget(self.progress, stretch=1)
+        running.addWidget(self.cancel)
+        column = QVBoxLayout(self)
+        column.addLayout(form)
+        column.addWidget(self.prospect)
+        column.addLayout(buttons)
+        column.addWidget(self.task)
+        column.addLayout(running)
+        column.addStretch()
+
+
+def _length(plate: Plate, key: str | None) -> float:
+    return plate.target_size if key is None else float(getattr(plate.sizes, key))

@@ -1,0 +1,127 @@
+"""The panel that meshes: sizes, the prospect of triangles, what it asks for, progress."""
+
+from pathlib import Path
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QPushButton
+
+from hullquad.formats import read_plates
+from hullquad.triangulation.contour import attempts
+from hullquad_app.abilities import Abilities
+from hullquad_app.document import Document, State
+from hullquad_app.panels.meshing import MeshingPanel
+from hullquad_app.work import Division
+
+PLATES = Path(__file__).parents[2] / "assets" / "plates"
+BLOCK = read_plates(PLATES / "hopper_block.json")
+ALL = Abilities(can_mesh=True, can_mesh_all=True)
+
+
+@pytest.fixture
+def panel(qtbot):
+    panel = MeshingPanel()
+    qtbot.addWidget(panel)
+    panel.show()
+    return panel
+
+
+@pytest.fixture
+def asked(panel):
+    """Sizes that the panel wants to know the contours of."""
+    sizes = []
+    panel.size_chosen.connect(sizes.append)
+    return sizes
+
+
+def show(panel, plates, key=None, size=None):
+    """Show a plate, and its contours for a size."""
+    document = Document()
+    document.open(State(plates=plates))
+    if key is not None:
+        document.look(key=key)
+    panel.show_scene(document.scene)
+    panel.show_abilities(ALL)
+    panel.show_division(Division(plates, size, attempts(plates, size)))
+
+
+def choose(panel, title, qtbot):
+    """Choose a size by the beginning of its title."""
+    row = next(i for i in range(panel.sizes.count()) if panel.sizes.itemText(i).startswith(title))
+    panel.sizes.setCurrentIndex(row)
+    panel.sizes.activated.emit(row)
+
+
+def test_an_empty_window_can_mesh_nothing(panel):
+    assert not panel.one.isEnabled()
+    assert "Open a plate document" in panel.prospect.text()
+
+
+def test_sizes_are_those_of_the_plate(panel):
+    show(panel, BLOCK, "H1")
+    sizes = BLOCK.plate("H1").sizes
+    assert panel.sizes.itemText(1) == f"coarse: {sizes.coarse:g} mm"
+    assert panel.sizes.itemText(3) == f"very fine: {sizes.very_fine:g} mm"
+
+
+def test_unavoidable_triangles_are_told_before_meshing(panel):
+    show(panel, BLOCK, "H1", 310.0)
+    assert panel.prospect.text() == "Unavoidable triangles: …"  # those of another size are known
+    show(panel, BLOCK, "H1")
+    contour = attempts(BLOCK)["H1"]
+    expected = f"Unavoidable triangles: {contour.edge_count % 2} ({contour.edge_count} contour edges)"
+    assert panel.prospect.text() == expected
+
+
+def test_a_curved_plate_is_refused_in_the_words_of_the_engine(panel):
+    plates = read_plates(PLATES / "bilge_shell.json")
+    show(panel, plates)
+    assert "curved surfaces: not yet" in panel.prospect.text()
+
+
+def test_a_chosen_size_is_asked_for(panel, asked, qtbot):
+    show(panel, BLOCK)
+    choose(panel, "fine", qtbot)
+    choose(panel, "other", qtbot)
+    panel.millimetres.selectAll()
+    qtbot.keyClicks(panel.millimetres, "123.5")
+    qtbot.keyClick(panel.millimetres, Qt.Key.Key_Return)
+    assert asked == [None, "fine", BLOCK.plates[0].target_size, 123.5]
+    with qtbot.waitSignal(panel.requested) as requested:
+        qtbot.mouseClick(panel.one, Qt.MouseButton.LeftButton)
+    assert requested.args == [123.5, False]
+
+
+def test_a_chosen_size_stays_for_the_next_plate(panel, qtbot):
+    show(panel, BLOCK, "H1")
+    choose(panel, "fine", qtbot)
+    show(panel, BLOCK, "B1")
+    assert panel.size_wanted == "fine"
+
+
+def test_all_plates_can_be_meshed_where_there_are_several(panel, qtbot):
+    show(panel, read_plates(PLATES / "hopper_partition.json"))
+    assert not panel.all_plates.isVisible()
+    show(panel, BLOCK)
+    assert "14" in panel.all_plates.text()
+    with qtbot.waitSignal(panel.requested) as requested:
+        qtbot.mouseClick(panel.all_plates, Qt.MouseButton.LeftButton)
+    assert requested.args == [None, True]
+
+
+def test_progress_can_be_seen_and_cancelled(panel, qtbot):
+    assert not panel.progress.isVisible()
+    panel.show_progress("Meshing H1", 3, 14)
+    panel.show_abilities(Abilities(can_cancel=True))
+    assert (panel.task.text(), panel.progress.value(), panel.progress.maximum()) == ("Meshing H1", 3, 14)
+    with qtbot.waitSignal(panel.cancelled):
+        qtbot.mouseClick(panel.cancel, Qt.MouseButton.LeftButton)
+    panel.show_idle()
+    assert not panel.cancel.isVisible()
+
+
+def test_every_control_has_a_name_and_fits_the_column(panel):
+    show(panel, BLOCK)
+    for kind in (QComboBox, QDoubleSpinBox, QPushButton):
+        assert all(control.accessibleName() for control in panel.findChildren(kind))
+    assert panel.minimumSizeHint().width() < 60 * panel.fontMetrics().averageCharWidth()
