@@ -1,0 +1,193 @@
+"""The worst elements as a model for tables."""
+
+from collections.abc import Callable
+from typing import Any
+
+import attrs
+from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt
+from PySide6.QtGui import QColor, QFont
+
+from hullquad.mesh import Mesh
+from hullquad.metrics import metric
+from hullquad.quality import Quality
+from hullquad.ranking import Ranking, ranking
+from hullquad_app.colours import COLOUR_MAPS, INVERTED, LIGHT, ColourMap, Palette
+from hullquad_app.panels.figures import shown
+
+MOST = 200
+"""Rows of the table."""
+COLUMNS = ("element", "kind", "swatch", "value", "min_angle", "aspect_ratio", "state")
+SWATCH = COLUMNS.index("swatch")
+_NUMBERS = ("element", "value", "min_angle", "aspect_ratio")
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+_CENTRE = Qt.AlignmentFlag.AlignCenter
+
+Index = QModelIndex | QPersistentModelIndex
+_ROOT = QModelIndex()
+
+
+@attrs.frozen(eq=False)
+class Listed:
+    """A mesh, its quality and its worst elements."""
+
+    mesh: Mesh
+    quality: Quality
+    ranking: Ranking
+
+
+class WorstModel(QAbstractTableModel):
+    """A row for each of the worst elements, the worst first."""
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._listed: Listed | None = None
+        self._palette, self._map = LIGHT, COLOUR_MAPS[0]
+
+    def show_quality(self, mesh: Mesh | None, quality: Quality | None) -> None:
+        """List the worst elements of a mesh."""
+        before = self.rowCount()
+        listed = None if mesh is None or quality is None else Listed(mesh, quality, ranking(mesh, quality, MOST))
+        if (0 if listed is None else len(listed.ranking.rows)) == before:
+            self._listed = listed
+            self._repaint()
+            return
+        self.beginResetModel()
+        self._listed = listed
+        self.endResetModel()
+
+    def set_palette(self, palette: Palette, chosen: ColourMap = COLOUR_MAPS[0]) -> None:
+        """Take other colours."""
+        self._palette, self._map = palette, chosen
+        self._repaint()
+
+    def element(self, row: int) -> int:
+        """Row in the mesh of the element in a row of the table."""
+        assert self._listed is not None  # asked only for rows that there are
+        return int(self._listed.ranking.rows[row])
+
+    def row_of(self) -> dict[int, int]:
+        """Rows of the table by the elements' rows in the mesh."""
+        rows = [] if self._listed is None else self._listed.ranking.rows.tolist()
+        return {element: row for row, element in enumerate(rows)}
+
+    def rowCount(self, parent: Index = _ROOT) -> int:
+        """Number of elements listed."""
+        return 0 if parent.isValid() or self._listed is None else len(self._listed.ranking.rows)
+
+    def columnCount(self, parent: Index = _ROOT) -> int:
+        """Number of columns."""
+        return 0 if parent.isValid() else len(COLUMNS)
+
+    def headerData(self, section: int, orientation: Qt.Orientation, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        """Title of a column, with the unit."""
+        if orientation != Qt.Orientation.Horizontal:
+            return None
+        name = COLUMNS[section]
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            return _RIGHT if name in _NUMBERS else _LEFT
+        if role not in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.ToolTipRole):
+            return None
+        is_tip = role == Qt.ItemDataRole.ToolTipRole
+        return self._tips()[name] if is_tip else self._titles()[name]
+
+    def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
+        """What a cell shows."""
+        if self._listed is None or not index.isValid():
+            return None
+        name, row = COLUMNS[index.column()], index.row()
+        if role == Qt.ItemDataRole.TextAlignmentRole:
+            return _RIGHT if name in _NUMBERS else _LEFT
+        found = self._roles().get(Qt.ItemDataRole(role))
+        return None if found is None else found(self._listed, row, name)
+
+    def _roles(self) -> dict[Qt.ItemDataRole, Callable[[Listed, int, str], Any]]:
+        return {
+            Qt.ItemDataRole.DisplayRole: self._text,
+            Qt.ItemDataRole.ForegroundRole: self._colour,
+            Qt.ItemDataRole.DecorationRole: self._swatch,
+            Qt.ItemDataRole.ToolTipRole: self._tip,
+            Qt.ItemDataRole.FontRole: self._font,
+        }
+
+    def _titles(self) -> dict[str, str]:
+        by = None if self._listed is None else self._listed.quality.metric
+        unit = f" [{by.unit}]" if by is not None and by.unit else ""
+        return {
+            "element": self.tr("Elem"),
+            "kind": self.tr("Type"),
+            "swatch": "",
+            "value": self.tr("Value") if by is None else by.title + unit,
+            "min_angle": self.tr("Min [°]"),
+            "aspect_ratio": self.tr("Aspect"),
+            "state": self.tr("State"),
+        }
+
+    def _tips(self) -> dict[str, str]:
+        by = None if self._listed is None else self._listed.quality.metric
+        return {
+            "element": self.tr("Label of the element"),
+            "kind": self.tr("Quad or triangle"),
+            "swatch": self.tr("Colour in the view"),
+            "value": "" if by is None else by.formula,
+            "min_angle": metric("min_angle").formula + " [°]",
+            "aspect_ratio": metric("aspect_ratio").formula,
+            "state": self.tr("Whether the element is beyond its limit, or turned inside out"),
+        }
+
+    def _text(self, listed: Listed, row: int, name: str) -> str | None:
+        element, quality = int(listed.ranking.rows[row]), listed.quality
+        if name == "element":
+            return str(listed.mesh.topology.element_labels[element])
+        if name == "kind":
+            return self.tr("triangle") if quality.is_triangle[element] else self.tr("quad")
+        if name == "value":
+            return shown(float(quality.values[element]), quality.metric)
+        if name == "min_angle":
+            return shown(float(listed.ranking.min_angles[row]), metric(name))
+        if name == "aspect_ratio":
+            return shown(float(listed.ranking.aspect_ratios[row]), metric(name))
+        return self._state(quality, element) if name == "state" else None
+
+    def _state(self, quality: Quality, element: int) -> str:
+        if not quality.valid[element]:
+            return self.tr("INVERTED")
+        return self.tr("FAIL") if quality.failing[element] else self.tr("pass")
+
+    def _colour(self, listed: Listed, row: int, name: str) -> QColor | None:
+        element = int(listed.ranking.rows[row])
+        if name == "kind":
+            return QColor(self._palette.dim)
+        if name != "state":
+            return None
+        if not listed.quality.valid[element]:
+            return QColor(INVERTED)
+        return QColor(self._palette.fail if listed.quality.failing[element] else self._palette.dim)
+
+    def _swatch(self, listed: Listed, row: int, name: str) -> QColor | None:
+        if name != "swatch":
+            return None
+        element, quality = int(listed.ranking.rows[row]), listed.quality
+        grade = float(quality.grades[element])
+        grade = min(grade, -1e-9) if quality.failing[element] else grade
+        return QColor(self._map.colour(grade, valid=bool(quality.valid[element])))
+
+    def _tip(self, listed: Listed, row: int, name: str) -> str | None:
+        by = listed.quality.metric
+        judge = by.triangle_metric
+        is_other = listed.quality.is_triangle[listed.ranking.rows[row]] and judge is not by
+        return (
+            self.tr("judged by {metric}").format(metric=judge.title.lower()) if name == "value" and is_other else None
+        )
+
+    def _font(self, listed: Listed, row: int, name: str) -> QFont | None:
+        if name != "state" or not listed.quality.failing[listed.ranking.rows[row]]:
+            return None
+        bold = QFont()
+        bold.setBold(True)
+        return bold
+
+    def _repaint(self) -> None:
+        if self.rowCount():
+            self.dataChanged.emit(self.index(0, 0), self.index(self.rowCount() - 1, len(COLUMNS) - 1))
+        self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, len(COLUMNS) - 1)

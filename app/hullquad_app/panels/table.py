@@ -1,0 +1,150 @@
+"""A calm table: whole rows, no grid, swatches that keep their colour when their row is selected."""
+
+from collections.abc import Iterable
+
+from PySide6.QtCore import (
+    QAbstractItemModel,
+    QEvent,
+    QItemSelection,
+    QItemSelectionModel,
+    QModelIndex,
+    QPersistentModelIndex,
+    QRect,
+    Qt,
+    Signal,
+)
+from PySide6.QtGui import QColor, QFont, QFontMetrics, QIcon, QKeyEvent, QPainter, QPaintEvent, QResizeEvent
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QApplication,
+    QHeaderView,
+    QStyle,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QTableView,
+)
+
+from hullquad_app.colours import Palette
+from hullquad_app.panels.figures import CAPTION, sized
+from hullquad_app.panels.ground import dress
+
+Index = QModelIndex | QPersistentModelIndex
+_EXTENDS = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifier
+_HEADER = (
+    "QHeaderView::section {{ background: {panel}; color: {dim}; border: none;"
+    " border-bottom: 1px solid {rule}; padding: 2px 4px; }}"
+)
+
+
+class Cells(QStyledItemDelegate):
+    """Cells without a frame around the current one; a colour is a square in the middle."""
+
+    def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
+        """Leave out frame and icon."""
+        super().initStyleOption(option, index)
+        option.font = sized(option.font)
+        option.state &= ~QStyle.StateFlag.State_HasFocus
+        option.features &= ~QStyleOptionViewItem.ViewItemFeature.HasDecoration
+        option.icon = QIcon()
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
+        """Draw a cell, and its square."""
+        super().paint(painter, option, index)
+        colour = index.data(Qt.ItemDataRole.DecorationRole)
+        if isinstance(colour, QColor):
+            side = round(0.65 * option.rect.height())
+            square = QRect(0, 0, side, side)
+            square.moveCenter(option.rect.center())
+            painter.fillRect(square, colour)
+
+
+class Table(QTableView):
+    """A table of which the user chooses rows; what is selected is told by `select_rows` alone."""
+
+    chosen = Signal(int, bool)
+    """Row that was clicked or reached by a key, and whether it extends the selection."""
+    resized = Signal()
+    """There is another width for the columns."""
+    opened = Signal(int)
+    """Row that was clicked twice, or Enter was pressed in."""
+
+    def __init__(self, model: QAbstractItemModel, empty: str) -> None:
+        super().__init__()
+        self._empty = empty
+        self.setModel(model)
+        self._cells = Cells(self)
+        self.setItemDelegate(self._cells)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        self.setAlternatingRowColors(True)
+        self.setShowGrid(False)
+        self.setWordWrap(False)
+        self.setTabKeyNavigation(False)
+        self.setFrameShape(QTableView.Shape.NoFrame)
+        self.horizontalHeader().setHighlightSections(False)
+        self.horizontalHeader().setSectionsClickable(False)
+        self.verticalHeader().hide()
+        self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        self.clicked.connect(self._choose)
+        self.doubleClicked.connect(lambda index: self.opened.emit(index.row()))
+        self.horizontalHeader().setTextElideMode(Qt.TextElideMode.ElideRight)
+        self._fit_texts()
+
+    def set_palette(self, palette: Palette) -> None:
+        """Take the colours of a theme."""
+        dress(self, palette)
+        self.horizontalHeader().setStyleSheet(_HEADER.format(panel=palette.panel, dim=palette.dim, rule=palette.rule))
+
+    def select_rows(self, rows: Iterable[int]) -> None:
+        """Show which rows are selected; tells nobody."""
+        selection, last = QItemSelection(), self.model().columnCount() - 1
+        for row in rows:
+            selection.select(self.model().index(row, 0), self.model().index(row, last))
+        self.selectionModel().select(selection, QItemSelectionModel.SelectionFlag.ClearAndSelect)
+
+    def keyPressEvent(self, press: QKeyEvent) -> None:
+        """Choose the row that a key leads to."""
+        before = self.currentIndex().row()
+        super().keyPressEvent(press)
+        row = self.currentIndex().row()
+        if row >= 0 and press.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            self.opened.emit(row)
+        elif row >= 0 and row != before:
+            self.chosen.emit(row, bool(press.modifiers() & Qt.KeyboardModifier.ShiftModifier))
+
+    def _choose(self, index: QModelIndex) -> None:
+        self.chosen.emit(index.row(), bool(QApplication.keyboardModifiers() & _EXTENDS))
+
+    def resizeEvent(self, change: QResizeEvent) -> None:
+        """Tell who fits the columns."""
+        super().resizeEvent(change)
+        self.resized.emit()
+
+    def changeEvent(self, change: QEvent) -> None:
+        """Follow the font."""
+        super().changeEvent(change)
+        if change.type() == QEvent.Type.FontChange:
+            self._fit_texts()
+            self.resized.emit()
+
+    def paintEvent(self, painting: QPaintEvent) -> None:
+        """Draw the rows, or say that there are none."""
+        super().paintEvent(painting)
+        if not self.model().rowCount():
+            painter = QPainter(self.viewport())
+            painter.setFont(sized(self.font(), CAPTION))
+            painter.setPen(self.palette().placeholderText().color())
+            painter.drawText(self.viewport().rect(), Qt.AlignmentFlag.AlignCenter, self._empty)
+
+    def width_of(self, *texts: str, bold: bool = False) -> int:
+        """Width of a column in which any of the texts fits."""
+        font = QFont(self.font())
+        font.setBold(bold)
+        letters = QFontMetrics(font)
+        return max(letters.horizontalAdvance(text) for text in texts) + round(1.6 * letters.averageCharWidth())
+
+    def _fit_texts(self) -> None:
+        self.verticalHeader().setDefaultSectionSize(round(1.45 * self.fontMetrics().height()))
+        self.horizontalHeader().setFont(sized(self.font(), CAPTION))
