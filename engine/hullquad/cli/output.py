@@ -15,7 +15,7 @@ _BAR = 30
 
 def say(text: str = "") -> None:
     """Print a line of the result."""
-    print(text)  # noqa: T201  printing is what a command line does
+    print(text, flush=True)  # noqa: T201  printing is what a command line does
 
 
 def complain(error: HullquadError) -> None:

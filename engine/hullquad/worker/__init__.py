@@ -5,6 +5,7 @@ a second time, which breaks scripts without a guard, scripts from standard input
 """
 
 import atexit
+import contextlib
 import os
 from collections.abc import Callable
 from typing import Any, TypeVar
@@ -19,7 +20,14 @@ MEMORY = 2 * 1024**3
 """Bytes that a call may take on top of what the child has, unless it is told otherwise."""
 
 _supervisor = Supervisor()
-atexit.register(_supervisor.stop)
+
+
+def _stop_at_exit() -> None:
+    with contextlib.suppress(KeyboardInterrupt):  # pressed again while the program ends
+        _supervisor.stop()
+
+
+atexit.register(_stop_at_exit)
 if hasattr(os, "register_at_fork"):
     os.register_at_fork(after_in_child=_supervisor.forget)
 
