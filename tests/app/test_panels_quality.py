@@ -4,7 +4,7 @@ import attrs
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, Qt
-from PySide6.QtGui import QColor, QHelpEvent
+from PySide6.QtGui import QColor, QHelpEvent, QImage
 from PySide6.QtWidgets import QApplication, QToolTip
 
 from hullquad.metrics import metric
@@ -61,10 +61,16 @@ def tip(panel, value):
     return QToolTip.text()
 
 
+def picture(widget):
+    """A widget as it is drawn, in true colours whatever the screen has."""
+    image = QImage(widget.size(), QImage.Format.Format_RGB32)
+    widget.render(image)
+    return image
+
+
 def has_colour(panel, colour):
     """Whether any pixel of the chart has a colour."""
-    image = panel.chart.grab().toImage()
-    wanted = QColor(colour).rgb()
+    image, wanted = picture(panel.chart), QColor(colour).rgb()
     return any(image.pixel(x, y) == wanted for x in range(image.width()) for y in range(0, image.height(), 2))
 
 
@@ -177,17 +183,17 @@ def test_bars_have_the_colours_of_the_chosen_map(panel):
 
 def test_selected_elements_mark_their_bar(panel):
     panel.show_scene(scene(judged([0.5, 0.9])))
-    plain_picture = panel.chart.grab().toImage()
+    unmarked = picture(panel.chart)
     panel.show_scene(attrs.evolve(scene(judged([0.5, 0.9])), view=View(selection=frozenset({1}))))
-    assert panel.chart.grab().toImage() != plain_picture
+    assert picture(panel.chart) != unmarked
 
 
 def test_iteration_0_is_outlined_where_it_differs(panel):
     now = judged([0.5, 0.9])
     panel.show_scene(scene(now))
-    alone = panel.chart.grab().toImage()
+    alone = picture(panel.chart)
     panel.show_scene(scene(now, first=judged([0.3, 0.3])))
-    assert panel.chart.grab().toImage() != alone
+    assert picture(panel.chart) != alone
 
 
 def test_what_has_not_changed_is_not_painted_again(panel):

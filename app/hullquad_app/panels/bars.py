@@ -2,19 +2,18 @@
 
 import attrs
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QBrush, QColor, QFontMetricsF, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
 from hullquad.histogram import Histogram
 from hullquad.metrics import DEGREES
 from hullquad.quality import Quality
 from hullquad_app.colours import ColourMap, Palette
 from hullquad_app.panels.axis import Axis, labels, ticks, top
-from hullquad_app.panels.figures import counted, plain
+from hullquad_app.panels.figures import counted
 
 _ALMOST = -1e-9
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _CENTRE = Qt.AlignmentFlag.AlignCenter
-_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 
 
 @attrs.frozen(eq=False, kw_only=True)
@@ -86,18 +85,6 @@ def draw(painter: QPainter, plot: Bars, palette: Palette, chosen: ColourMap) -> 
     _draw_strip(painter, plot, palette, chosen)
 
 
-def draw_limit(painter: QPainter, plot: Bars, palette: Palette, text: str, *, lively: bool) -> None:
-    """Draw the limit as a line with its value; in the accent colour while it can be moved."""
-    line = plot.strip.height() * 2
-    at, colour = round(plot.x.at(plot.quality.limit)), QColor(palette.accent if lively else palette.text)
-    painter.setPen(QPen(colour, 2 if lively else 1.5))
-    painter.drawLine(QLineF(at, plot.y.end - 1.3 * line, at, plot.strip.bottom() + 2))
-    width = painter.fontMetrics().horizontalAdvance(text)
-    fits = at + width + 0.4 * line < plot.x.end + 0.7 * line
-    left = at + 0.3 * line if fits else at - 0.3 * line - width
-    painter.drawText(QRectF(left, plot.y.end - 1.4 * line, width + 1, line), _LEFT, text)
-
-
 def _draw_counts(painter: QPainter, plot: Bars, palette: Palette) -> None:
     line = plot.strip.height() * 2
     for value in sorted({0, int(plot.y.high) // 2, int(plot.y.high)}):
@@ -163,7 +150,6 @@ def _draw_strip(painter: QPainter, plot: Bars, palette: Palette, chosen: ColourM
         colour = chosen.colour(_grade(plot.quality, value))
         right = min(left + width, plot.strip.right())
         painter.fillRect(QRectF(left, plot.strip.top(), right - left, plot.strip.height()), QColor(colour))
-    _draw_triangle_limit(painter, plot, palette)
     line = plot.strip.height() * 2
     painter.setPen(QColor(palette.dim))
     values = _values(plot.x, plot.quality.metric.unit)
@@ -188,29 +174,3 @@ def _value_labels(plot: Bars, values: list[float]) -> list[str]:
     if plot.now.is_open_above and values[-1] >= plot.x.high:
         texts[-1] = ">" + texts[-1]
     return texts
-
-
-def has_triangle_limit(quality: Quality) -> bool:
-    """Whether there are triangles that fail at another value than quads."""
-    row = quality.metric
-    return row.triangle_band is not None and row.triangle_limit != quality.limit and bool(quality.is_triangle.any())
-
-
-def _draw_triangle_limit(painter: QPainter, plot: Bars, palette: Palette) -> None:
-    if not has_triangle_limit(plot.quality):
-        return
-    at, reach = plot.x.at(plot.quality.metric.triangle_limit), plot.strip.height() / 2
-    draw_triangle(painter, QPointF(at, plot.strip.center().y()), reach, palette)
-
-
-def draw_triangle(painter: QPainter, centre: QPointF, reach: float, palette: Palette) -> None:
-    """Draw the mark of the triangles' own limit."""
-    shape = [QPointF(0, -reach), QPointF(reach, 0.8 * reach), QPointF(-reach, 0.8 * reach)]
-    painter.setPen(QPen(QColor(palette.panel), 1))
-    painter.setBrush(QBrush(QColor(palette.text)))
-    painter.drawPolygon(QPolygonF([centre + corner for corner in shape]))
-
-
-def limit_label(quality: Quality) -> str:
-    """The limit with its unit."""
-    return plain(quality.limit, quality.metric)

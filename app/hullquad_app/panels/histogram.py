@@ -1,7 +1,5 @@
 """The histogram that is the legend: bars to click, the limit to drag."""
 
-from math import floor, isinf, log10
-
 import attrs
 import numpy as np
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt, Signal
@@ -12,9 +10,10 @@ from hullquad.histogram import Histogram, histogram
 from hullquad.quality import Quality
 from hullquad_app.colours import COLOUR_MAPS, LIGHT, ColourMap, Palette
 from hullquad_app.document import Scene
-from hullquad_app.panels.bars import Bars, bars, draw, draw_limit, limit_label
-from hullquad_app.panels.figures import CAPTION, counted, plain, sized
-from hullquad_app.panels.legend import draw_legend
+from hullquad_app.panels.bars import Bars, bars, draw
+from hullquad_app.panels.figures import CAPTION, sized
+from hullquad_app.panels.legend import bin_words, draw_legend
+from hullquad_app.panels.limit import draw_limit, draw_triangle_limit, limit_label, limit_step, rounded_limit
 
 _REACH = 5
 """How near to the limit's line the mouse takes it [px]."""
@@ -128,6 +127,7 @@ class HistogramChart(QWidget):
             painter.fillRect(plot.column(self._hovered), shade)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing, False)
         draw(painter, plot, self._palette, self._map)
+        draw_triangle_limit(painter, plot, self._palette)
         draw_legend(painter, plot, self._palette, self._map)
         lively = self._at_limit or self._drag is not None or self.hasFocus()
         text = self.tr("limit {limit}").format(limit=limit_label(plot.quality))
@@ -139,7 +139,7 @@ class HistogramChart(QWidget):
         if plot is None:
             return
         if self._drag is not None:
-            value = self._rounded(plot.x.value(move.position().x()))
+            value = rounded_limit(plot.now, plot.x.value(move.position().x()))
             if value != self._drag.now:
                 self._drag.now = value
                 self.limit_dragged.emit(value)
@@ -184,7 +184,8 @@ class HistogramChart(QWidget):
         if key == Qt.Key.Key_Escape and self._drag is not None:
             self._let_go(self._drag.before)
         elif self._quality is not None and self._now is not None and key in _STEPS:
-            self.limit_released.emit(self._rounded(self._quality.limit + _STEPS[key] * self._step))
+            limit = self._quality.limit + _STEPS[key] * limit_step(self._now)
+            self.limit_released.emit(rounded_limit(self._now, limit))
         elif key in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
             self.limit_reset.emit()
         else:
@@ -206,15 +207,7 @@ class HistogramChart(QWidget):
         number = plot.bin_at(QPointF(at))
         if number is None:
             return ""
-        count = int(plot.now.totals[number])
-        text = self.tr("{range}: 1 element") if count == 1 else self.tr("{range}: {count} elements")
-        return text.format(range=self._range(plot, number), count=counted(count))
-
-    def _range(self, plot: Bars, number: int) -> str:
-        low, high = (plain(end, plot.quality.metric) for end in plot.now.bounds(number))
-        if isinf(plot.now.bounds(number)[0]):
-            return self.tr("below {value}").format(value=high)
-        return self.tr("over {value}").format(value=low) if high == "∞" else f"{low}–{high}"
+        return bin_words(plot, number)
 
     def _hover(self, plot: Bars, point: QPointF) -> None:
         at_limit = plot.is_limit_at(point, _REACH)
@@ -232,17 +225,6 @@ class HistogramChart(QWidget):
         if drag is not None and drag.now != drag.before:
             self.limit_released.emit(drag.now if limit is None else limit)
         self.update()
-
-    @property
-    def _step(self) -> float:
-        """Least change of the limit: a power of ten, less than a bin."""
-        assert self._now is not None  # asked only where there are bins
-        return float(10.0 ** floor(log10(self._now.edges[1] - self._now.edges[0])))
-
-    def _rounded(self, limit: float) -> float:
-        assert self._now is not None
-        inside = min(max(limit, float(self._now.edges[0])), float(self._now.edges[-1]))
-        return round(round(inside / self._step) * self._step, 9)
 
     def _letters_size(self, wide: int, high: int) -> QSize:
         letters = self.fontMetrics()
