@@ -1,7 +1,9 @@
 import os
+import sys
 
-# Widgets need no screen; the true 3-D view does (offscreen it paints garbage without an error).
-os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
+# The true 3-D view needs a screen (offscreen it paints garbage without an error); on Linux Xvfb is one.
+if sys.platform.startswith("linux"):
+    os.environ.setdefault("QT_QPA_PLATFORM", "xcb")
 
 from itertools import islice
 

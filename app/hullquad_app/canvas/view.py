@@ -1,0 +1,287 @@
+"""The view: a plate in space, turned, enlarged and picked with the mouse."""
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+import numpy as np
+from PySide6.QtCore import QEvent, QPointF, Qt, Signal
+from PySide6.QtGui import QCloseEvent, QKeyEvent, QMouseEvent, QResizeEvent, QWheelEvent
+from PySide6.QtWidgets import QWidget
+
+from hullquad.arrays import Floats, floats
+from hullquad.sight import plan
+from hullquad.surface import Plane
+from hullquad_app.canvas.overlay import Overlay
+from hullquad_app.canvas.picker import Picker, corners, nodes_of
+from hullquad_app.canvas.pointer import Pointer
+from hullquad_app.canvas.surface_format import hold_place, set_surface_format
+from hullquad_app.canvas.tip import tip
+from hullquad_app.canvas.viewpoint import Viewpoint
+from hullquad_app.colours import BROKEN, LIGHT, ColourMap, Palette
+from hullquad_app.document import Scene
+
+if TYPE_CHECKING:
+    from hullquad_app.canvas.interactor import Interactor
+    from hullquad_app.canvas.stage import Stage
+
+_NOWHERE = floats(np.empty((0, 3)))
+_WHEEL_STEP = 1.2
+"""How much a notch of the wheel enlarges."""
+_ARROWS = {
+    Qt.Key.Key_Left: (-40, 0),
+    Qt.Key.Key_Right: (40, 0),
+    Qt.Key.Key_Up: (0, 40),
+    Qt.Key.Key_Down: (0, -40),
+}
+"""How far the arrow keys move the plate to the right and up [pixels]."""
+_ZOOMS = {Qt.Key.Key_Plus: 1.25, Qt.Key.Key_Equal: 1.25, Qt.Key.Key_Minus: 0.8}
+
+
+class Canvas(QWidget):
+    """Shows a scene and reports what is clicked; holds nothing of it but where the camera stands.
+
+    Left drag turns, middle (or Shift and left) drag moves, the wheel enlarges at the cursor; arrow keys move, with
+    Shift they turn, plus and minus enlarge.
+    """
+
+    picked = Signal(int, bool)
+    """Emitted with the row of a clicked element, and whether it is to extend the selection."""
+    missed = Signal()
+    """Emitted by a click where no element is."""
+    hovered = Signal(int)
+    """Emitted with the row of the element below the cursor when it changes; -1 for none."""
+    painted = Signal(float)
+    """Emitted with the seconds that painting the plate took."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        set_surface_format()
+        hold_place(self)
+        self.setMouseTracking(True)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setAutoFillBackground(True)
+        self.setAccessibleName(self.tr("View of the plate"))
+        self.stage: Stage | None = None
+        """What VTK shows; None before `start` and after `stop`."""
+        self.viewpoint = Viewpoint(self)
+        self.viewpoint.changed.connect(self._refresh)
+        self.overlay = Overlay(self)
+        self._interactor: Interactor | None = None
+        self._scene = Scene()
+        self._subject: tuple[object, ...] = ()
+        self._place: Floats = _NOWHERE
+        self._palette, self._map, self._shows_edges = LIGHT, BROKEN, True
+        self._picker, self._pointer = Picker(), Pointer()
+        self._cursor: QPointF | None = None
+        self._row = -1
+        self.set_palette(LIGHT)
+
+    def start(self) -> None:
+        """Fill the view; takes a second, so the window is shown before."""
+        if self._interactor is not None:
+            return
+        from hullquad_app.canvas.interactor import Interactor  # noqa: PLC0415  brings VTK
+        from hullquad_app.canvas.stage import Stage  # noqa: PLC0415
+
+        self._interactor = Interactor(self)
+        self._interactor.painted.connect(self.painted)
+        self._interactor.setGeometry(self.rect())
+        self._interactor.lower()
+        self._interactor.show()
+        self.stage = Stage(self._interactor.renderer, self._palette)
+        self.stage.set_colour_map(self._map)
+        self.stage.show_edges(self._shows_edges)
+        self.stage.show_place(self._place)
+        self.show_scene(self._scene)
+
+    def stop(self) -> None:
+        """Close the view; it stays empty from then on."""
+        interactor, self._interactor, self.stage = self._interactor, None, None
+        if interactor is not None:
+            interactor.painted.disconnect(self.painted)
+            interactor.finish()
+            interactor.deleteLater()
+
+    @property
+    def is_smooth(self) -> bool:
+        """Whether the view is at rest and its lines are smoothed."""
+        return self._interactor is not None and self._interactor.is_smooth
+
+    def show_scene(self, scene: Scene) -> None:
+        """Show a scene; only what differs from the one before is touched."""
+        self._scene = scene
+        self.overlay.set_notice(self._notice())
+        if self.stage is None:
+            return
+        self.stage.show(scene)
+        self.viewpoint.points = self.stage.points
+        self.overlay.set_loops(self.stage.loops)
+        subject = self._subject_of(scene)
+        if any(one is not other for one, other in zip(subject, self._subject or (None, None), strict=True)):
+            self._subject = subject
+            self.show_place(_NOWHERE)
+            self._set_plan()
+            self.viewpoint.look("plan")
+        else:
+            self._refresh()
+        self._hover()
+
+    def show_place(self, points: Floats) -> None:
+        """Show a place on the plate, a polyline (N, 3) or a point (3,), until another one; none takes it away."""
+        self._place = points.reshape(-1, 3)
+        if self.stage is not None:
+            self.stage.show_place(self._place)
+            self._refresh()
+
+    def set_palette(self, palette: Palette) -> None:
+        """Take the colours of a theme."""
+        self._palette = palette
+        colours = self.palette()
+        colours.setColor(self.backgroundRole(), palette.view)
+        self.setPalette(colours)
+        self.overlay.set_palette(palette)
+        if self.stage is not None:
+            self.stage.set_palette(palette)
+            self._refresh()
+
+    def set_colour_map(self, chosen: ColourMap) -> None:
+        """Colour elements by another map."""
+        self._map = chosen
+        if self.stage is not None:
+            self.stage.set_colour_map(chosen)
+            self._refresh()
+
+    def show_edges(self, shown: bool) -> None:
+        """Draw edges of elements that are large enough, or none."""
+        self._shows_edges = shown
+        if self.stage is not None:
+            self.stage.show_edges(shown)
+            self._refresh()
+
+    def toggle_edges(self) -> None:
+        """Draw edges of elements, or leave them out."""
+        self.show_edges(not self._shows_edges)
+
+    def fit(self) -> None:
+        """Show the whole plate."""
+        self.viewpoint.fit()
+
+    def look(self, name: str) -> None:
+        """Show the whole plate from a standard view: plan, front, top, side or isometric."""
+        self.viewpoint.look(name)
+
+    def reveal(self, rows: Iterable[int]) -> None:
+        """Bring elements into the picture, if they are not."""
+        if self._scene.mesh is not None and (chosen := list(rows)):
+            self.viewpoint.reveal(nodes_of(self._scene.mesh, chosen))
+
+    def zoom_to(self, rows: Iterable[int]) -> None:
+        """Show elements large, with their surroundings."""
+        if self._scene.mesh is not None and (chosen := list(rows)):
+            self.viewpoint.zoom_to(nodes_of(self._scene.mesh, chosen))
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Begin a click or a drag."""
+        self._pointer.press(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        """Drag, or look what is below the cursor."""
+        step = self._pointer.drag(event)
+        if step is not None:
+            (self.viewpoint.pan if self._pointer.pans else self.viewpoint.orbit)(step.x(), -step.y())
+        elif not self._pointer.is_down:
+            self._cursor = event.position()
+            self._hover()
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        """End a drag, or pick what was clicked."""
+        if self._pointer.release(event):
+            row = self._row_at(event.position())
+            if row < 0:
+                self.missed.emit()
+            else:
+                self.picked.emit(row, self._pointer.extends)
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Enlarge at the cursor."""
+        place = event.position()
+        self.viewpoint.zoom(_WHEEL_STEP ** (event.angleDelta().y() / 120), place.x(), place.y())
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Move, turn or enlarge; other keys belong to the window."""
+        key = Qt.Key(event.key())
+        if key in _ARROWS:
+            turns = event.modifiers() & Qt.KeyboardModifier.ShiftModifier
+            (self.viewpoint.orbit if turns else self.viewpoint.pan)(*_ARROWS[key])
+        elif key in _ZOOMS:
+            self.viewpoint.zoom(_ZOOMS[key], self.width() / 2, self.height() / 2)
+        else:
+            super().keyPressEvent(event)
+
+    def leaveEvent(self, event: QEvent) -> None:
+        """Nothing is below the cursor any more."""
+        self._cursor = None
+        self._hover()
+        super().leaveEvent(event)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Keep the plate in the middle."""
+        self.overlay.setGeometry(self.rect())
+        if self._interactor is not None:
+            self._interactor.setGeometry(self.rect())
+        self.viewpoint.resize(event.size())
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Follow the window to another screen."""
+        if event.type() == QEvent.Type.DevicePixelRatioChange:
+            self._refresh()
+        super().changeEvent(event)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Close the view with its widget."""
+        self.stop()
+        super().closeEvent(event)
+
+    def _refresh(self) -> None:
+        """Paint as the camera sees it now."""
+        camera = self.viewpoint.camera
+        self.overlay.set_camera(camera if len(self.viewpoint.points) else None)
+        if self.stage is None or self._interactor is None:
+            return
+        camera.apply(self.stage.renderer.GetActiveCamera(), self.height(), self.stage.box)
+        self.stage.look(camera.towards, camera.pixel, self.devicePixelRatioF())
+        self._interactor.refresh()
+
+    def _row_at(self, position: QPointF) -> int:
+        place = self.viewpoint.place(position.x(), position.y())
+        return self._picker.element_at(self._scene.mesh, self.viewpoint.camera, place)
+
+    def _hover(self) -> None:
+        """Say what is below the cursor."""
+        row = -1 if self._cursor is None else self._row_at(self._cursor)
+        mesh, quality = self._scene.mesh, self._scene.quality
+        if row < 0 or mesh is None or quality is None or self._cursor is None:
+            self.overlay.hover("", QPointF(), None)
+        else:
+            self.overlay.hover(tip(mesh.topology, quality, row), self._cursor, corners(mesh, row))
+        if row != self._row:
+            self._row = row
+            self.hovered.emit(row)
+
+    def _subject_of(self, scene: Scene) -> tuple[object, ...]:
+        """What the view is about: when that changes, the camera starts anew."""
+        first = None if scene.track is None else scene.track.first.mesh.topology
+        return scene.plate or first, scene.state.plates
+
+    def _set_plan(self) -> None:
+        scene = self._scene
+        if scene.mesh is not None:
+            self.viewpoint.plan = plan(scene.mesh)
+        elif scene.plate is not None and isinstance(scene.plate.surface, Plane):
+            self.viewpoint.plan = (scene.plate.surface.u, scene.plate.surface.v)
+
+    def _notice(self) -> str:
+        plate = self._scene.plate
+        if plate is None or plate.is_plane or self._scene.mesh is not None:
+            return ""
+        return self.tr("{plate} is curved. Curved plates cannot be meshed yet.").format(plate=plate.id)
