@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable
 
 import numpy as np
 
-from hullquad.arrays import Bytes, Floats
+from hullquad.arrays import Bytes
 from hullquad.errors import MeshingError
 from hullquad.mesh import Mesh
 from hullquad.optimization.iterate import Iterate, Outcome, outcome
@@ -81,21 +81,32 @@ def improved(iterates: Iterable[Iterate], watch: Callable[[Iterate], None] = lam
 
 
 def prepare() -> None:
-    """Load every compiled kernel, compiling it first where none is on disk: milliseconds, or seconds once."""
-    from hullquad.metrics import METRICS  # noqa: PLC0415
-    from hullquad.metrics.values import difference_gradient, judged_values, raw_values, valid_elements  # noqa: PLC0415
-    from hullquad.quads.join import joins  # noqa: PLC0415
+    """Load every compiled kernel, compiling it first where none is on disk: milliseconds, or seconds once.
+
+    A plate of three triangles goes the whole way, so that each kernel is met as it is in earnest.
+    """
+    from hullquad.metrics import metric  # noqa: PLC0415  all of these bring Numba
+    from hullquad.metrics.values import valid_elements  # noqa: PLC0415
+    from hullquad.optimization.paper import PaperSettings, paper_iterates  # noqa: PLC0415
+    from hullquad.quads.augment import augment  # noqa: PLC0415
+    from hullquad.quads.join import elements, joins  # noqa: PLC0415
     from hullquad.quads.pairs import pairs  # noqa: PLC0415
 
-    corners: Floats = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], dtype=float)
-    up, quad = np.array([[0.0, 0.0, 1.0]]), np.array([[0, 1, 2, 3]], dtype=np.int32)
-    halves = np.array([[0, 1, 2], [0, 2, 3]], dtype=np.int32)
-    tangents = np.zeros((4, 2, 3))
-    judged_values(METRICS[0], corners, quad, up)
-    raw_values(METRICS[0], corners, quad, up)
-    difference_gradient(METRICS[0], corners, quad, tangents, 1e-3, up)
-    valid_elements(corners, quad, up)
-    list(joins(pairs(corners, halves, up)))
+    ground = Plane([0, 0, 0], [1, 0, 0], [0, 1, 0])
+    nodes = np.array([[0, 0], [2, 0], [2, 1], [1, 1], [0, 1]], dtype=float)
+    triangles = np.array([[0, 1, 3], [1, 2, 3], [0, 3, 4]], dtype=np.int32)
+    points = ground.points(nodes)
+    possible = pairs(points, triangles, ground.normal[None])
+    list(augment(possible, set()))
+    mesh = Mesh(
+        points=points,
+        topology=topology(elements(possible, joins(possible)), np.zeros(len(nodes), dtype=np.int8)),
+        target_size=1.0,
+        surface=ground,
+        parameters=nodes,
+    )
+    list(paper_iterates(mesh, metric("stretch"), PaperSettings(iterations=1)))
+    valid_elements(mesh.points, mesh.topology.elements, mesh.normals)
 
 
 def _states(contour: Contour, nodes: int) -> Bytes:

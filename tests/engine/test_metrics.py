@@ -82,6 +82,14 @@ def test_without_a_frame_an_element_is_judged_by_its_own_sense(row):
     assert_allclose(judged(row.key, SQUARE[::-1], normals=np.zeros((1, 3))), row.ideal)
 
 
+@pytest.mark.parametrize("row", METRICS, ids=KEYS)
+def test_every_row_of_the_table_has_its_own_formula(row):
+    lopsided = ((0, 0), (3, 0), (2.5, 2), (0.2, 1.5))
+    others = [judged(other.key, lopsided) for other in METRICS if other is not row]
+    assert np.isfinite(judged(row.key, lopsided))
+    assert all(judged(row.key, lopsided) != value for value in others)
+
+
 def test_stretch_rewards_a_bow_tie_when_raw():
     points = np.array([(0, 0, 0), (1, 0, 0), (0.02, 0.01, 0), (1, 0.02, 0)], dtype=float)
     quad = np.array([[0, 1, 2, 3]], dtype=np.int32)

@@ -118,6 +118,17 @@ def test_a_small_gain_ends_the_run_by_name(dented):
     assert run.last.number < 1000
 
 
+def test_untangling_is_not_taken_for_want_of_gain(dented):
+    points = dented.parameters.copy()
+    points[5] = points[10] + [40, 5]
+    tangled = dented.with_parameters(points)
+    run = list(paper_iterates(tangled, metric("shape"), PaperSettings(step=0.02, window=5, tolerance=1e-3)))
+    counts = [iterate.quality.inverted_count for iterate in run]
+    assert counts[0] > counts[-1] == 0
+    fell = max(row for row in range(1, len(counts)) if counts[row] < counts[row - 1])
+    assert len(run) - 1 - fell >= 5
+
+
 def test_a_mesh_on_no_surface_is_refused(dented):
     with pytest.raises(MeshError, match="E_CURVED"):
         next(paper_iterates(attrs.evolve(dented, surface=None, parameters=None), STRETCH))

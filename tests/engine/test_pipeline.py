@@ -1,5 +1,7 @@
 """From real plates to improved quads: what must hold on every plane sample plate."""
 
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -85,3 +87,35 @@ def test_the_same_plate_gives_the_same_mesh():
     one, other = (pipeline.paper_mesh(COARSE["floor_manholes"]) for _ in range(2))
     assert one.points.tobytes() == other.points.tobytes()
     assert one.topology.elements.tobytes() == other.topology.elements.tobytes()
+
+
+def test_nothing_is_left_to_compile_once_it_is_prepared():
+    code = """
+from pathlib import Path
+from hullquad import pipeline
+from hullquad.formats import read_plates
+from hullquad.metrics import METRICS
+from hullquad.optimization.paper import PaperSettings, paper_iterates
+from hullquad.placement import placed
+from hullquad.quality import quality
+from hullquad.triangulation.contour import contours
+import attrs, sys
+pipeline.prepare()
+from hullquad.metrics import kernels, quad, triangle, vectors
+from hullquad.quads import augment, front
+known = lambda: {(m.__name__, n): len(f.signatures) for m in (kernels, quad, triangle, vectors, augment, front)
+                 for n, f in vars(m).items() if hasattr(f, "signatures")}
+before = known()
+document = read_plates(Path(sys.argv[1]))
+for contour in contours(document, "fine").values():
+    mesh = pipeline.paper_mesh(contour)
+    for row in METRICS:
+        best = list(paper_iterates(mesh, row, PaperSettings(iterations=2)))[-1].mesh
+        quality(placed(attrs.evolve(best, surface=None, parameters=None)), row)
+        quality(attrs.evolve(best, surface=None, parameters=None), row)
+assert before and known() == before, {k: v for k, v in known().items() if v != before.get(k)}
+"""
+    done = subprocess.run(
+        [sys.executable, "-c", code, PLATES / "stringer_opening.json"], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr

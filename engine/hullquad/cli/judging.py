@@ -57,7 +57,8 @@ def _summary(mesh: Mesh, judged: dict[str, Quality]) -> str:
             f"{by_row['mean']:>12.3f}{by_row['failing']:>9}"
         )
     if figures["triangles"]:
-        lines += ["", "Triangles are judged by their own bands; under stretch and skew by their shape."]
+        by_shape = " and ".join(row.title.lower() for row in METRICS if row.triangle_band is None)
+        lines += ["", f"Triangles are judged by their own bands; under {by_shape} by their shape."]
     return "\n".join(lines)
 
 

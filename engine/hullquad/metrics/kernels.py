@@ -4,7 +4,7 @@
 row where an element's own sense is all that is known.
 """
 
-from math import inf, pi
+from math import inf, nan, pi
 
 from hullquad.arrays import Bools, Floats, Ints
 from hullquad.metrics import METRICS, quad, triangle
@@ -19,6 +19,8 @@ SHAPE = _ROW["shape"]
 SKEW = _ROW["skew"]
 MIN_ANGLE = _ROW["min_angle"]
 MAX_ANGLE = _ROW["max_angle"]
+BY_SHAPE = tuple(row for row, metric in enumerate(METRICS) if metric.triangle_band is None)
+"""Metrics without a form for triangles."""
 
 
 @compiled
@@ -36,7 +38,9 @@ def quad_raw(metric: int, a: Vector, b: Vector, c: Vector, d: Vector, normal: Ve
         return quad.skew(a, b, c, d, normal)
     if metric == MIN_ANGLE:
         return quad.min_angle(a, b, c, d)
-    return quad.max_angle(a, b, c, d, normal)
+    if metric == MAX_ANGLE:
+        return quad.max_angle(a, b, c, d, normal)
+    return nan  # no row of the table is without its formula: a test sees to it
 
 
 @compiled
@@ -75,9 +79,7 @@ def judge(metric: int, points: Floats, elements: Ints, normals: Floats, values: 
         if elements[i, 3] < 0:
             raw = triangle_raw(metric, a, b, c, normal)
             valid[i] = triangle.is_valid(a, b, c, normal)
-            # a metric without triangle form is judged by shape, whose invalid value is 0
-            by_shape = metric in (STRETCH, SKEW)
-            values[i] = raw if valid[i] else invalid_value(SHAPE if by_shape else metric, raw)
+            values[i] = raw if valid[i] else invalid_value(SHAPE if metric in BY_SHAPE else metric, raw)
         else:
             d = vector(points, elements[i, 3])
             raw = quad_raw(metric, a, b, c, d, normal)

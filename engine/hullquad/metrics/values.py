@@ -1,11 +1,14 @@
-"""Values of a metric on the elements of a mesh: the kernels behind plain functions on arrays."""
+"""Values of a metric on the elements of a mesh: the kernels behind plain functions on arrays.
+
+A kernel is compiled once, for read-only arrays; what can be written to is copied first.
+"""
 
 import numpy as np
 
-from hullquad.arrays import Bools, Floats, Ints
+from hullquad.arrays import Bools, Floats, Ints, floats, ints
 from hullquad.metrics import METRICS, Metric, kernels
 
-ANY_SENSE = np.zeros((1, 3))
+ANY_SENSE = floats(np.zeros((1, 3)))
 """Normals for elements of which only their own sense is known."""
 
 
@@ -29,14 +32,14 @@ def judged_values(metric: Metric, points: Floats, elements: Ints, normals: Float
     valid : (E,) bool array
     """
     values, valid = np.empty(len(elements)), np.empty(len(elements), dtype=bool)
-    kernels.judge(_row(metric), points, elements, normals, values, valid)
+    kernels.judge(_row(metric), floats(points), ints(elements), floats(normals), values, valid)
     return values * metric.scale, valid
 
 
 def raw_values(metric: Metric, points: Floats, quads: Ints, normals: Floats = ANY_SENSE) -> Floats:
     """(Q,) values of the formula as it stands, on any quad; angles in degrees."""
     values = np.empty(len(quads))
-    kernels.raw_values(_row(metric), points, quads, normals, values)
+    kernels.raw_values(_row(metric), floats(points), ints(quads), floats(normals), values)
     return values * metric.scale
 
 
@@ -53,14 +56,16 @@ def difference_gradient(
         By which a parameter is changed either way [mm].
     """
     gradient = np.zeros((len(points), 2))
-    kernels.difference_gradient(_row(metric), points, quads, normals, tangents, step, gradient)
+    kernels.difference_gradient(
+        _row(metric), floats(points), ints(quads), floats(normals), floats(tangents), step, gradient
+    )
     return gradient
 
 
 def valid_elements(points: Floats, elements: Ints, normals: Floats = ANY_SENSE) -> Bools:
     """(E,) which elements are convex, not collapsed and not against their normal."""
     valid = np.empty(len(elements), dtype=bool)
-    kernels.validity(points, elements, normals, valid)
+    kernels.validity(floats(points), ints(elements), floats(normals), valid)
     return valid
 
 

@@ -87,9 +87,11 @@ class _Record:
         self._sums: list[float] = []
 
     def take(self, objective: float, inverted: int) -> bool:
-        """Note an iterate; whether it is the best so far."""
+        """Note an iterate; whether it is the best so far: with the guard on, first by inverted elements."""
         rank = (-inverted if self._settings.guard else 0, self._sense * objective)
-        is_best = not self._sums or rank > self._best
+        is_best = rank > self._best or not self._sums
+        if rank[0] > self._best[0]:
+            self._sums.clear()  # sums with more inverted elements are no measure of gain any more
         if is_best:
             self._best = rank
         self._sums.append(self._best[1])

@@ -14,6 +14,7 @@ class PaperSettings:
     tolerance: float = 1e-6
     """Stop when the best sum has gained less than this per quad over the last `window` iterations."""
     window: int = 100
+    """Iterations that the gain is taken over: more than the sum pauses for while it oscillates towards its optimum."""
     guard: bool = True
     """Whether the nodes of an element that a step would make invalid stay where they are in that step.
 

@@ -130,6 +130,6 @@ def _advance(neighbours: Longs, pair_across: Longs, scores: Floats, at_rim: Bool
         for member in (triangle, partner):
             for near in neighbours[member]:
                 if near >= 0 and free[near]:
-                    levels[near] = min(levels[near], levels[member] + 1)
+                    levels[near] = min(levels[near], levels[triangle] + 1)
                     heappush(heap, _key(near, levels, neighbours, pair_across, scores, free))
     return count
