@@ -13,6 +13,7 @@ commands without a window (each has its own --help):
   hullquad mesh PLATES -o OUT       make quadrilateral meshes of plates
   hullquad optimize MESH -o OUT     improve a mesh
   hullquad quality MESH             judge a mesh
+  hullquad picture MESH -o PNG      picture a mesh for a report
 """
 
 
@@ -27,6 +28,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         from hullquad.cli import main as run_engine  # noqa: PLC0415
 
         return run_engine(words)
+    if words[:1] == ["picture"]:
+        return _picture(words[1:])
     files = _parser().parse_args(words).files
     obstacle = _obstacle()
     if obstacle:
@@ -35,6 +38,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     from hullquad_app.application import show  # noqa: PLC0415
 
     return show(files)
+
+
+def _picture(words: Sequence[str]) -> int:
+    """Run the command that needs the libraries of the window, but no screen."""
+    from hullquad_app.picture_command import main as run_picture  # noqa: PLC0415
+
+    return run_picture(words)
 
 
 def _parser() -> argparse.ArgumentParser:

@@ -6,6 +6,7 @@ SENTENCES: dict[str, str] = {
     "E_PLATE": "there is no plate {id} in the document; its plates are {known}",
     "E_CURVED": "curved surfaces: not yet; mesh the plane plates of the document",
     "E_CURVED:optimize": "the mesh is not flat, and curved surfaces: not yet; optimise plane plates only",
+    "E_PICTURE": "the plate has no mesh of which a picture could be made; mesh it first",
     # files
     "E_FILE:missing": "there is no such file; check the name and the folder",
     "E_FILE:folder": "this is a folder; give the name of a file",
@@ -18,6 +19,7 @@ SENTENCES: dict[str, str] = {
     "E_FILE:protected": "the file is protected against writing; choose another name or remove the protection",
     "E_SUFFIX:read_mesh": "no mesh is read from files with the ending {suffix}, only from {known}",
     "E_SUFFIX:read_plates": "no plates are read from files with the ending {suffix}, only from {known}",
+    "E_SUFFIX:picture": "no picture is written to files with the ending {suffix}, only to {known}",
     "E_SUFFIX:write_mesh": "no mesh is written to files with the ending {suffix}, only to {known}",
     # meshes
     "E_EMPTY_MESH": "the mesh has no elements; there is nothing to judge or improve",

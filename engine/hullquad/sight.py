@@ -5,7 +5,7 @@ from functools import cached_property
 import attrs
 import numpy as np
 
-from hullquad.arrays import Bools, Floats, Ints, Longs, floats
+from hullquad.arrays import Bools, Floats, Ints, Longs, floats, ints
 from hullquad.mesh import Mesh
 
 _FLAT = 1e-3
@@ -78,6 +78,17 @@ def plan(mesh: Mesh) -> tuple[Floats, Floats]:
     right = np.cross(upright, normal)
     right /= np.hypot.reduce(right)
     return floats(right), floats(np.cross(normal, right))
+
+
+def from_notch(points: Floats, elements: Ints) -> Ints:
+    """The elements (E, 4) on `points` (N, 3), a concave quad beginning at its notch: so a fan of triangles fills it."""
+    corners = points[_closed(elements)]
+    area = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
+    ahead, back = np.roll(corners, -1, axis=1) - corners, np.roll(corners, 1, axis=1) - corners
+    turns = (np.cross(ahead, back) * area[:, None]).sum(axis=2)
+    is_notched = ((turns < 0).sum(axis=1) == 1) & (elements[:, 3] >= 0)
+    first = np.where(is_notched, turns.argmin(axis=1), 0)
+    return ints(np.take_along_axis(elements, (first[:, None] + np.arange(4)) % 4, axis=1))
 
 
 def _closed(elements: Ints) -> Longs:

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 from hullquad.mesh import Mesh
-from hullquad.sight import plan, sight
+from hullquad.sight import from_notch, plan, sight
 from hullquad.topology import rim_states, topology
 
 RIGHT, UP = np.eye(3)[:2]
@@ -79,6 +79,18 @@ def test_the_notch_of_a_concave_quad_is_not_in_it():
     mesh = bare([[0, 0, 0], [100, 50, 0], [0, 100, 0], [40, 50, 0]], [[0, 1, 2, 3]])
     assert seen(mesh, (20, 50)) == -1
     assert seen(mesh, (60, 50)) == 0
+
+
+@pytest.mark.parametrize("start", range(4))
+def test_a_concave_quad_begins_at_its_notch(start):
+    mesh = bare([[0, 0, 0], [100, 50, 0], [0, 100, 0], [40, 50, 0]], [np.roll([0, 1, 2, 3], start)])
+    assert from_notch(mesh.points, mesh.topology.elements).tolist() == [[3, 0, 1, 2]]
+
+
+def test_convex_and_crossed_quads_and_triangles_stay_as_they_are(tiles):
+    crossed = [[0, 2, 1, 3]]
+    elements = np.concatenate([tiles.topology.elements, crossed]).astype(np.int32)
+    np.testing.assert_array_equal(from_notch(tiles.points, elements), elements)
 
 
 def test_the_plan_of_a_plate_is_its_own_plane(dented):

@@ -9,6 +9,7 @@ from hullquad.mesh import Mesh
 from hullquad.plate import Document as PlateDocument
 from hullquad.plate import Plate
 from hullquad.quality import Quality
+from hullquad.sight import from_notch
 from hullquad.surface import Plane
 from hullquad.topology import Topology, edges, half_edges
 from hullquad.triangulation.contour import Contour, attempts
@@ -58,6 +59,7 @@ class Stage:
         """Outline and holes of a plate that is not meshed, each (N, 3)."""
         self._pixel = 1.0
         self._lines = _NO_LINES
+        self._filled: Ints = np.empty((0, 4), dtype=np.int32)
         self._attempts: tuple[PlateDocument | None, dict[str, Any]] = (None, {})
         self.set_palette(palette)
 
@@ -160,6 +162,7 @@ class Stage:
     def _show_topology(self, topology: Topology) -> None:
         for name in _OF_NODES:
             self.layers[name].lie_on(self.layers["elements"])
+        self._filled = topology.elements
         self.layers["elements"].set_faces(topology.elements)
         found, counts = edges(topology.elements)
         self.layers["edges"].set_lines(found)
@@ -172,10 +175,21 @@ class Stage:
             return
         elements = mesh.topology.elements
         self.layers["elements"].paint_cells(element_colours(quality, self.chosen_map))
-        self.layers["inverted"].set_faces(elements[~quality.valid])
+        self._show_inverted(mesh, quality)
         is_darkest = quality.failing & quality.valid & (quality.grades < _DARKEST)
         self.layers["failing"].set_lines(_sides(elements, quality.failing & ~is_darkest))
         self.layers["worst"].set_lines(_sides(elements, is_darkest))
+
+    def _show_inverted(self, mesh: Mesh, quality: Quality) -> None:
+        """On top, and without spilling out of concave ones, where VTK would fill the notch."""
+        elements, is_inverted = mesh.topology.elements, ~quality.valid
+        turned = from_notch(mesh.points, elements[is_inverted])
+        self.layers["inverted"].set_faces(turned)
+        filled = elements.copy()
+        filled[is_inverted] = turned
+        if not np.array_equal(filled, self._filled):
+            self._filled = filled
+            self.layers["elements"].set_faces(filled)
 
     def _show_selection(self, mesh: Mesh | None, rows: frozenset[int]) -> None:
         chosen = np.empty((0, 4), dtype=np.int32) if mesh is None else mesh.topology.elements[sorted(rows)]
