@@ -3,12 +3,16 @@
 import signal
 import sys
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 
+from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QApplication
 
 from hullquad import __version__
+from hullquad_app.faults import Faults
 from hullquad_app.logs import log_folder, start_logging
+from hullquad_app.session import Session
 from hullquad_app.window import MainWindow
 
 
@@ -21,8 +25,12 @@ def show(files: Sequence[str]) -> int:
     application.setStyle("Fusion")
     start_logging(log_folder())
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl+C in the terminal; Qt's loop would never look
-    window = MainWindow()
+    window = MainWindow(Session())
+    faults = Faults(window)
     window.show()
-    for file in files:
-        window.open(Path(file))
-    return application.exec()
+    QTimer.singleShot(0, window.start)
+    if files:
+        QTimer.singleShot(0, partial(window.filing.open, Path(files[0])))
+    code = application.exec()
+    faults.release()
+    return code

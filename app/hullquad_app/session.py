@@ -179,6 +179,7 @@ class Session(QObject):
         """End all threads and the worker before the program ends; no signal of theirs comes any more."""
         self.optimizer.stop_and_wait()
         self.workshop.jobs.stop_and_wait()
+        self.document.edits.blockSignals(True)  # it tells of its own end, too
 
     def _connect(self) -> None:
         workshop = self.workshop

@@ -87,8 +87,8 @@ def _style_sheet(palette: Palette) -> str:
     return f"""
         QMainWindow::separator {{ background: {palette.rule}; width: 1px; height: 1px; }}
         QToolBar {{ background: {palette.background}; border: 0; border-bottom: 1px solid {palette.rule};
-                    padding: 4px 6px; spacing: 4px; }}
-        QToolBar QToolButton {{ padding: 4px 8px; border-radius: 4px; border: 1px solid transparent; }}
+                    padding: 4px 6px; spacing: 2px; }}
+        QToolBar QToolButton {{ padding: 4px 5px; border-radius: 4px; border: 1px solid transparent; }}
         QToolBar QToolButton:hover:enabled {{ background: {palette.panel}; border-color: {palette.rule}; }}
         QToolBar QToolButton:pressed {{ background: {palette.rule}; }}
         QToolBar QToolButton:focus {{ border-color: {palette.accent}; }}

@@ -2,55 +2,101 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import Qt
-from PySide6.QtGui import QDragEnterEvent, QDropEvent
-from PySide6.QtWidgets import QDockWidget, QFileDialog, QMainWindow, QMessageBox, QVBoxLayout, QWidget
+from PySide6.QtCore import QObject, QSize, Qt, QTimer
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
+from PySide6.QtWidgets import QMainWindow, QStackedWidget, QToolBar, QVBoxLayout, QWidget
 
-from hullquad import __version__
 from hullquad.errors import HullquadError
-from hullquad.formats import FORMATS, read_plates
-from hullquad_app.actions import fill_menus
+from hullquad_app import theme
+from hullquad_app.about import About
+from hullquad_app.actions import FILE, VIEW, Actions
+from hullquad_app.canvas import Canvas
+from hullquad_app.colours import Theme
+from hullquad_app.docks import Docks
+from hullquad_app.document import Scene
+from hullquad_app.filing import Filing
+from hullquad_app.history_bar import HistoryBar
 from hullquad_app.message_bar import MessageBar
-from hullquad_app.panels.plates import PlatesPanel
+from hullquad_app.recent import RecentFiles
+from hullquad_app.session import Session
+from hullquad_app.status import StatusBar
+from hullquad_app.toolbar import Choices
 from hullquad_app.welcome import Welcome
+
+_LAYOUT_VERSION = 1
+_LETTERS = (205, 52)
+"""Width and height of the window when it opens for the first time, in letters."""
+_ICON = QSize(20, 20)
 
 
 class MainWindow(QMainWindow):
-    """Menus, the message bar, the sample plates, and the plates of the document that is open."""
+    """The view with its bars and panels round it; all of them show the scene of the session's document."""
 
-    def __init__(self) -> None:
+    def __init__(self, session: Session) -> None:
         super().__init__()
-        self.setWindowTitle(self.tr("HullQuad"))
+        self.session = session
+        self.filing = Filing(session, self)
+        self.canvas, self.welcome = Canvas(), Welcome()
+        self.messages, self.choices = MessageBar(), Choices()
+        self.docks, self.history, self.status = Docks(self), HistoryBar(), StatusBar()
+        self.actions_by_name = Actions(self._targets(), self)
+        self._middle = QStackedWidget()
+        self._may_close = False
         self.setAcceptDrops(True)
-        fill_menus(self)
-        self.messages = MessageBar()
-        self.welcome = Welcome()
-        self.welcome.chosen.connect(self.open)
-        self.plates = PlatesPanel()
         self._arrange()
+        self._connect()
+        self._is_dark = False
+        self.apply_theme(Theme(session.settings.theme))
+        self._restore()
+        self.show_scene(session.document.scene)
 
-    def open(self, path: Path) -> None:
-        """Open a plate document; what is wrong with it is said in the message bar."""
-        try:
-            document = read_plates(path)
-        except HullquadError as error:
-            self.messages.say(str(error))
+    def start(self) -> None:
+        """Fill the view and load the engine, once the window is there."""
+        if self.session.settings.layout.isEmpty():
+            self.docks.set_width()
+        self.canvas.start()
+        self.session.prepare()
+
+    def show_scene(self, scene: Scene) -> None:
+        """Show a scene everywhere."""
+        self._middle.setCurrentWidget(self.canvas if scene.state.keys else self.welcome)
+        for shows in (self.canvas, self.docks, self.choices, self.history, self.status):
+            shows.show_scene(scene)
+        name = scene.state.title
+        self.setWindowTitle(self.tr("{name}[*] – HullQuad").format(name=name) if name else self.tr("HullQuad"))
+        self.setWindowModified(self.session.is_modified)
+
+    def apply_theme(self, chosen: Theme) -> None:
+        """Take a theme."""
+        palette = theme.apply(chosen)
+        self._is_dark = palette.is_dark
+        for dressed in (self.canvas, self.docks, self.history, self.status, self.messages, self.actions_by_name):
+            dressed.set_palette(palette)
+
+    def toggle_theme(self) -> None:
+        """Change between dark and light."""
+        chosen = Theme.LIGHT if self._is_dark else Theme.DARK
+        self.session.settings.theme = chosen.value
+        self.apply_theme(chosen)
+
+    def say(self, message: HullquadError | str) -> None:
+        """Say a message above the view, and show on the plate where it is."""
+        self.messages.say(message)
+        plate = self.session.document.scene.plate
+        if isinstance(message, HullquadError) and plate is not None:
+            self.canvas.show_place(plate.place_of(message))
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Close in this order: threads and worker, the view, then Qt; ask first if something would be lost."""
+        if self.session.is_modified and not self._may_close:
+            event.ignore()
+            self.filing.leave(self._close_soon)
             return
-        self.messages.hide()
-        self.plates.show_document(document)
-        self.setWindowTitle(self.tr("{name} - HullQuad").format(name=document.name))
-
-    def choose_file(self) -> None:
-        """Ask for a document and open it."""
-        kinds = [f"{kind.title} (*{kind.suffix})" for kind in FORMATS if kind.read_plates]
-        name, _ = QFileDialog.getOpenFileName(self, self.tr("Open"), "", ";;".join(kinds))
-        if name:
-            self.open(Path(name))
-
-    def about(self) -> None:
-        """Say what this program is."""
-        text = self.tr("HullQuad {version}\n\nQuadrilateral meshes of ship hull plates: made, judged and improved.")
-        QMessageBox.about(self, self.tr("About HullQuad"), text.format(version=__version__))
+        self.session.settings.geometry = self.saveGeometry()
+        self.session.settings.layout = self.saveState(_LAYOUT_VERSION)
+        self.session.stop_and_wait()
+        self.canvas.stop()
+        event.accept()
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         """Take files."""
@@ -60,21 +106,104 @@ class MainWindow(QMainWindow):
     def dropEvent(self, event: QDropEvent) -> None:
         """Open the first of the files."""
         event.acceptProposedAction()
-        self.open(_dropped(event)[0])
+        self.filing.open(_dropped(event)[0])
+
+    def _show_edits(self) -> None:
+        edits = self.session.document.edits
+        self.actions_by_name.show_edits(edits.undoText(), edits.redoText())
+        self.setWindowModified(self.session.is_modified)
+
+    def _close_soon(self) -> None:
+        self._may_close = True
+        QTimer.singleShot(0, self, self.close)  # Qt closes nothing that is being closed
+
+    def _targets(self) -> dict[str, QObject]:
+        return {
+            "window": self,
+            "filing": self.filing,
+            "session": self.session,
+            "canvas": self.canvas,
+            "worst": self.docks.worst,
+            "mesh_button": self.docks.meshing.one,
+            "mesh_all_button": self.docks.meshing.all_plates,
+            "about": About(self),
+        }
 
     def _arrange(self) -> None:
         centre = QWidget()
         column = QVBoxLayout(centre)
+        column.setContentsMargins(0, 0, 0, 0)
+        column.setSpacing(0)
+        for page in (self.welcome, self.canvas):
+            self._middle.addWidget(page)
         column.addWidget(self.messages)
-        column.addWidget(self.welcome)
+        column.addWidget(self._middle, stretch=1)
         self.setCentralWidget(centre)
-        dock = QDockWidget(self.tr("Plates"))
-        dock.setObjectName("plates")
-        dock.setWidget(self.plates)
-        self.addDockWidget(Qt.DockWidgetArea.RightDockWidgetArea, dock)
+        self.addToolBar(self._tools())
+        self.addToolBar(Qt.ToolBarArea.BottomToolBarArea, _fixed_bar("history", self.tr("History"), self.history))
+        self.setStatusBar(self.status)
+        self.docks.arrange()
+        menus = self.actions_by_name.fill(self.menuBar())
+        recent = RecentFiles(self.session.settings, self.filing, self)
+        menus[FILE].insertMenu(self.actions_by_name["choose_output"], recent)
+        menus[FILE].insertMenu(self.actions_by_name["close"], self.filing.picture_menu)
+        menus[VIEW].addSeparator()
+        menus[VIEW].addActions(self.docks.toggles())
+
+    def _tools(self) -> QToolBar:
+        bar = _fixed_bar("tools", self.tr("Tools"))
+        bar.setIconSize(_ICON)
+        bar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+        groups = (("choose_file", "mesh_plate"), (self.choices,), ("step", "run", "pause", "reset"))
+        for group in groups:
+            for tool in group:
+                if isinstance(tool, str):
+                    bar.addAction(self.actions_by_name[tool])
+                else:
+                    bar.addWidget(tool)
+            bar.addSeparator()
+        bar.addAction(self.actions_by_name["choose_picture"])
+        return bar
+
+    def _connect(self) -> None:
+        session, edits = self.session, self.session.document.edits
+        session.document.changed.connect(self.show_scene)
+        session.message.connect(self.say)
+        session.busy.connect(lambda text, done, total: self.status.say_activity(_progress(text, done, total)))
+        session.idle.connect(lambda: self.status.say_activity(""))
+        session.able.connect(self.actions_by_name.show_abilities)
+        session.opened.connect(lambda _: self.messages.hide())
+        edits.cleanChanged.connect(self._show_edits)
+        edits.indexChanged.connect(self._show_edits)
+        self.welcome.chosen.connect(self.filing.open)
+        self.history.position_chosen.connect(session.scrub)
+        self.choices.plate_chosen.connect(session.choose_plate)
+        self.choices.metric_chosen.connect(session.choose_metric)
+        self.choices.limit_chosen.connect(session.set_limit)
+        self.canvas.picked.connect(lambda row, extend: session.select({row}, extend=extend))
+        self.canvas.painted.connect(session.optimizer.run.painted)
+        self.canvas.missed.connect(lambda: session.select(()))
+        self.docks.connect_to(session, self.canvas)
+
+    def _restore(self) -> None:
         letter = self.fontMetrics()
-        self.resize(letter.averageCharWidth() * 220, letter.height() * 55)
-        self.resizeDocks([dock], [letter.averageCharWidth() * 80], Qt.Orientation.Horizontal)
+        self.resize(letter.averageCharWidth() * _LETTERS[0], letter.height() * _LETTERS[1])
+        self.restoreGeometry(self.session.settings.geometry)
+        self.restoreState(self.session.settings.layout, _LAYOUT_VERSION)
+
+
+def _fixed_bar(name: str, title: str, content: QWidget | None = None) -> QToolBar:
+    bar = QToolBar(title)
+    bar.setObjectName(name)
+    bar.setMovable(False)
+    bar.toggleViewAction().setVisible(False)
+    if content is not None:
+        bar.addWidget(content)
+    return bar
+
+
+def _progress(text: str, done: int, total: int) -> str:
+    return f"{text} {done} / {total}" if total else text
 
 
 def _dropped(event: QDropEvent) -> list[Path]:

@@ -1,0 +1,117 @@
+"""The panels round the view, each in a dock that can float, be tabbed and come back."""
+
+from PySide6.QtCore import QObject, Qt
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QDockWidget, QMainWindow, QScrollArea, QWidget
+
+from hullquad_app.canvas import Canvas
+from hullquad_app.colours import Palette
+from hullquad_app.document import Scene
+from hullquad_app.panels.meshing import MeshingPanel
+from hullquad_app.panels.objective import ObjectivePanel
+from hullquad_app.panels.plates import PlatesPanel
+from hullquad_app.panels.quality import QualityPanel
+from hullquad_app.panels.search import SearchPanel
+from hullquad_app.panels.worst import WorstPanel
+from hullquad_app.session import Session
+
+_WIDTH = 66
+"""Of the column of panels, in letters."""
+
+
+class Docks(QObject):
+    """Makes the panels of a window and arranges them in its right column."""
+
+    def __init__(self, window: QMainWindow) -> None:
+        super().__init__(window)
+        self._window = window
+        self.quality, self.objective, self.worst = QualityPanel(), ObjectivePanel(), WorstPanel()
+        self.meshing, self.search, self.plates = MeshingPanel(), SearchPanel(), PlatesPanel()
+        self._docks = {
+            name: self._dock(name, title, panel)
+            for name, title, panel in (
+                ("quality", self.tr("Quality distribution"), self.quality),
+                ("objective", self.tr("Objective history"), self.objective),
+                ("search", self.tr("Search"), self.search),
+                ("worst", self.tr("Worst elements"), self.worst),
+                ("meshing", self.tr("Mesh"), self.meshing),
+                ("plates", self.tr("Plates"), self.plates),
+            )
+        }
+        self._shown = Scene()
+
+    def arrange(self) -> None:
+        """Put every panel where it is at first."""
+        column = Qt.DockWidgetArea.RightDockWidgetArea
+        for name in ("quality", "objective", "worst"):
+            self._window.addDockWidget(column, self._docks[name])
+        for name, neighbour in (("search", "objective"), ("meshing", "worst"), ("plates", "worst")):
+            self._window.tabifyDockWidget(self._docks[neighbour], self._docks[name])
+        for name in ("objective", "worst"):
+            self._docks[name].raise_()
+
+    def set_width(self) -> None:
+        """Give the column of panels its width; Qt does it only for a window that is shown."""
+        width = self._window.fontMetrics().averageCharWidth() * _WIDTH
+        self._window.resizeDocks([self._docks["quality"]], [width], Qt.Orientation.Horizontal)
+
+    def show_scene(self, scene: Scene) -> None:
+        """Show a scene on every panel, and bring up the one that is of use with it."""
+        before, self._shown = self._shown, scene
+        for panel in (self.quality, self.objective, self.worst, self.meshing, self.search, self.plates):
+            panel.show_scene(scene)
+        if (scene.mesh is None) != (before.mesh is None) or scene.state.plates is not before.state.plates:
+            self._docks["meshing" if scene.mesh is None and scene.plate is not None else "worst"].raise_()
+            self._docks["objective"].raise_()
+
+    def set_palette(self, palette: Palette) -> None:
+        """Take the colours of a theme."""
+        for panel in (self.quality, self.objective, self.worst, self.meshing, self.search, self.plates):
+            panel.set_palette(palette)
+
+    def connect_to(self, session: Session, canvas: Canvas) -> None:
+        """Pass on what the user wants in the panels."""
+        self.quality.limit_dragged.connect(session.set_limit)
+        self.quality.limit_released.connect(session.set_limit)
+        self.quality.limit_reset.connect(session.reset_limit)
+        for panel in (self.quality, self.worst):
+            panel.selected.connect(lambda rows, extend: session.select(rows, extend=extend))
+        self.worst.selected.connect(lambda rows, _: canvas.reveal(rows))
+        self.worst.zoom_wanted.connect(lambda row: canvas.zoom_to({row}))
+        self.objective.position_chosen.connect(session.scrub)
+        self.plates.chosen.connect(session.choose_plate)
+        self._connect_search(session)
+        self._connect_meshing(session)
+
+    def _connect_search(self, session: Session) -> None:
+        self.search.changed.connect(session.set_paper)
+        self.search.objective_chosen.connect(session.choose_objective)
+        self.search.show_settings(session.settings.paper, session.settings.objective)
+
+    def _connect_meshing(self, session: Session) -> None:
+        self.meshing.size_chosen.connect(session.divide)
+        self.meshing.requested.connect(lambda size, all_plates: session.mesh(size, all_plates=all_plates))
+        self.meshing.cancelled.connect(session.cancel)
+        session.divided.connect(self.meshing.show_division)
+        session.able.connect(self.meshing.show_abilities)
+        session.busy.connect(self.meshing.show_progress)
+        session.idle.connect(self.meshing.show_idle)
+
+    def toggles(self) -> list[QAction]:
+        """Actions that show and hide the panels."""
+        return [dock.toggleViewAction() for dock in self._docks.values()]
+
+    def _dock(self, name: str, title: str, panel: QWidget) -> QDockWidget:
+        dock = QDockWidget(title, self._window)
+        dock.setObjectName(name)
+        dock.setWidget(_scrolled(panel) if panel in (self.search, self.meshing) else panel)
+        return dock
+
+
+def _scrolled(form: QWidget) -> QScrollArea:
+    """A form that may be taller than its place."""
+    area = QScrollArea()
+    area.setWidget(form)
+    area.setWidgetResizable(True)
+    area.setFrameShape(QScrollArea.Shape.NoFrame)
+    return area

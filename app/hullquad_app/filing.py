@@ -1,0 +1,108 @@
+"""Opening, saving and leaving, with the dialogs they need and the question before something is lost."""
+
+from collections.abc import Callable
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+from PySide6.QtCore import QObject, Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
+
+from hullquad.errors import HullquadError
+from hullquad.formats import FORMATS
+from hullquad_app.picture_menu import PictureMenu
+from hullquad_app.session import Session
+
+_BUTTONS = QMessageBox.StandardButton
+
+
+class Filing(QObject):
+    """What the File menu does with a session."""
+
+    def __init__(self, session: Session, window: QWidget) -> None:
+        super().__init__(window)
+        self._session, self._window = session, window
+        self.picture_menu = PictureMenu(window)
+
+    def choose_file(self) -> None:
+        """Ask for plates or a mesh, and open them."""
+        readable = [kind for kind in FORMATS if kind.read_plates or kind.read_mesh]
+        together = self.tr("Plates and meshes ({patterns})")
+        kinds = [together.format(patterns=" ".join(f"*{kind.suffix}" for kind in readable))]
+        kinds += [f"{kind.title} (*{kind.suffix})" for kind in readable]
+        name, _ = QFileDialog.getOpenFileName(self._window, self.tr("Open"), "", ";;".join(kinds))
+        if name:
+            self.open(Path(name))
+
+    def open(self, path: Path) -> None:
+        """Open a file, once what would be lost is saved or given up."""
+        self.leave(lambda: self._session.open(path))
+
+    def choose_output(self) -> bool:
+        """Ask for a file and save the mesh; whether one was given."""
+        kinds = ";;".join(f"{kind.title} (*{kind.suffix})" for kind in FORMATS if kind.write_mesh)
+        path = self._output(self.tr("Save mesh"), ".vtu", kinds)
+        if path is not None:
+            self._session.save(path)
+        return path is not None
+
+    def choose_picture(self) -> None:
+        """Ask for a file and save a picture of the plate as it is shown."""
+        path = self._output(self.tr("Save picture"), ".png", self.tr("Pictures (*.png)"))
+        if path is not None:
+            self._picture(lambda: _pictures().write(self._session.document.scene, path, **self._choices))
+
+    def copy_picture(self) -> None:
+        """Put a picture of the plate as it is shown on the clipboard."""
+        self._picture(lambda: _pictures().to_clipboard(self._session.document.scene, scale=self.picture_menu.scale))
+
+    def leave(self, go: Callable[[], object]) -> None:
+        """Go, once the changes that were not saved are saved or given up; or stay."""
+        if not self._session.is_modified:
+            go()
+            return
+        title = self._session.document.scene.state.title
+        text = self.tr("{title} has changes that were not saved. Save the mesh first?").format(title=title)
+        buttons = _BUTTONS.Save | _BUTTONS.Discard | _BUTTONS.Cancel
+        answer = QMessageBox.question(self._window, self.tr("HullQuad"), text, buttons, _BUTTONS.Save)
+        if answer == _BUTTONS.Discard:
+            go()
+        elif answer == _BUTTONS.Save:
+            self._save_then(go)
+
+    def _save_then(self, go: Callable[[], object]) -> None:
+        """Go when the mesh is written; a save that fails is told, and nobody goes."""
+        once = Qt.ConnectionType.SingleShotConnection
+        waiting = self._session.saved.connect(lambda _: go(), once)
+        if not self.choose_output():
+            QObject.disconnect(waiting)
+
+    @property
+    def _choices(self) -> dict[str, Any]:
+        return {"scale": self.picture_menu.scale, "transparent": self.picture_menu.is_transparent}
+
+    def _picture(self, take: Callable[[], object]) -> None:
+        """Take a picture, which takes a moment; what goes wrong is told."""
+        QGuiApplication.setOverrideCursor(Qt.CursorShape.WaitCursor)
+        try:
+            take()
+        except HullquadError as error:
+            self._session.message.emit(error)
+        finally:
+            QGuiApplication.restoreOverrideCursor()
+
+    def _output(self, title: str, suffix: str, kinds: str) -> Path | None:
+        source = self._session.document.scene.state.path
+        proposal = (source or Path(self._session.document.scene.state.title or "mesh")).with_suffix(suffix)
+        name, _ = QFileDialog.getSaveFileName(self._window, title, str(proposal), kinds)
+        if not name:
+            return None
+        return Path(name) if Path(name).suffix else Path(name + suffix)
+
+
+def _pictures() -> ModuleType:
+    """What takes pictures; it brings VTK and Pillow, so it is loaded when the first one is taken."""
+    from hullquad_app import pictures as module  # noqa: PLC0415
+
+    return module

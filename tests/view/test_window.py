@@ -1,0 +1,354 @@
+"""The window as its user meets it, by mouse and keyboard alone; what is shown is what is checked."""
+
+import gc
+import threading
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QEvent, QMimeData, QPointF, QSettings, Qt, QUrl
+from PySide6.QtGui import QDropEvent, QGuiApplication, QImage
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QMessageBox
+
+from hullquad.formats import read_mesh
+from hullquad.metrics import METRICS
+from hullquad_app.colours import Theme, element_colours
+from hullquad_app.document import State
+from hullquad_app.session import Session
+from hullquad_app.settings import Settings
+from hullquad_app.window import MainWindow
+
+PROJECT = Path(__file__).parents[2]
+KEY, LEFT = Qt.Key, Qt.MouseButton.LeftButton
+CONTROL, SHIFT, NONE = Qt.KeyboardModifier.ControlModifier, Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier(0)
+
+
+def settings_in(folder):
+    return Settings(QSettings(str(folder / "settings.ini"), QSettings.Format.IniFormat))
+
+
+def started(folder):
+    """The true window on a screen that nobody sees."""
+    window = MainWindow(Session(settings_in(folder)))
+    window.resize(1440, 900)
+    window.show()
+    window.activateWindow()
+    assert QTest.qWaitForWindowActive(window)
+    window.start()
+    while window.session.workshop.jobs.preparing.is_running:
+        QTest.qWait(20)
+    return window
+
+
+def closed(window):
+    """Close a window, which leaves no thread behind."""
+    window.session.stop_and_wait()
+    window.session.document.edits.setClean()
+    window.close()
+    assert not window.isVisible()
+    assert [thread.name for thread in threading.enumerate() if thread.name.startswith("hullquad")] == []
+    window.deleteLater()
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+
+@pytest.fixture
+def own_window(qapp, tmp_path):
+    """A window that the test may close; it leaves no widget behind."""
+    widgets = set(QApplication.topLevelWidgets())
+    window = started(tmp_path)
+    yield window
+    closed(window)
+    gc.collect()
+    assert set(QApplication.topLevelWidgets()) <= widgets
+
+
+@pytest.fixture(scope="module")
+def kept_window(qapp, tmp_path_factory):
+    """A window for all tests that do not close it."""
+    window = started(tmp_path_factory.mktemp("settings"))
+    yield window
+    closed(window)
+
+
+@pytest.fixture
+def window(kept_window):
+    """The kept window as it is at first: empty and light."""
+    session = kept_window.session
+    session.optimizer.finish()
+    session.document.open(State())
+    session.document.look(limits={})
+    session.choose_metric("stretch")
+    kept_window.apply_theme(Theme.LIGHT)
+    kept_window.messages.hide()
+    kept_window.activateWindow()
+    assert QTest.qWaitForWindowActive(kept_window)
+    kept_window.setFocus()
+    return kept_window
+
+
+def scene(window):
+    return window.session.document.scene
+
+
+def press(window, key, modifiers=NONE):
+    QTest.keyClick(window, key, modifiers)
+
+
+def open_sample(window, qtbot, name):
+    """Double-click a sample on the start page."""
+    gallery = window.welcome.gallery
+    (item,) = [gallery.item(row) for row in range(gallery.count()) if gallery.item(row).toolTip() == f"{name}.json"]
+    gallery.scrollToItem(item)
+    place = gallery.visualItemRect(item).center()
+    QTest.mouseClick(gallery.viewport(), LEFT, pos=place)
+    QTest.mouseDClick(gallery.viewport(), LEFT, pos=place)
+    qtbot.waitUntil(lambda: scene(window).state.keys != (), timeout=20_000)
+
+
+def mesh(window, qtbot):
+    press(window, KEY.Key_M)
+    qtbot.waitUntil(lambda: scene(window).mesh is not None, timeout=20_000)
+
+
+def wait_for_end(window, qtbot):
+    qtbot.waitUntil(lambda: not scene(window).running, timeout=60_000)
+
+
+@pytest.fixture
+def meshed(window, qtbot):
+    """The window with the hopper partition meshed."""
+    open_sample(window, qtbot, "hopper_partition")
+    mesh(window, qtbot)
+    return window
+
+
+@pytest.fixture
+def own_meshed(own_window, qtbot):
+    """The window that may be closed with the hopper partition meshed."""
+    open_sample(own_window, qtbot, "hopper_partition")
+    mesh(own_window, qtbot)
+    return own_window
+
+
+def colours(window):
+    """Colours of the elements in the view."""
+    return window.canvas.stage.layers["elements"].data.cell_data["colours"]
+
+
+def points(window):
+    """Nodes of the elements in the view."""
+    return np.asarray(window.canvas.stage.layers["elements"].data.points)
+
+
+def test_the_journey_from_a_sample_to_a_saved_mesh(window, qtbot, tmp_path, monkeypatch):
+    assert window.welcome.isVisible()
+    open_sample(window, qtbot, "hopper_partition")
+    assert window.canvas.isVisible()
+    assert "Unavoidable triangles" in window.docks.meshing.prospect.text()
+    mesh(window, qtbot)
+    assert any("20 quads" in label.text() for label in window.status.findChildren(QLabel))
+    np.testing.assert_array_equal(colours(window), element_colours(scene(window).quality))
+
+    first = scene(window).mesh
+    for number in (1, 2, 3):
+        press(window, KEY.Key_S)
+        wait_for_end(window, qtbot)
+        assert scene(window).iterate.number == number
+    assert window.session.document.edits.undoText().startswith("Step stretch: ")
+    np.testing.assert_allclose(points(window), scene(window).mesh.points, rtol=1e-6)
+
+    press(window, KEY.Key_R)
+    qtbot.waitUntil(lambda: scene(window).running or scene(window).iterate.number > 3, timeout=20_000)
+    press(window, KEY.Key_Space)
+    wait_for_end(window, qtbot)
+    paused = scene(window).track.last.number
+    assert paused >= 3
+
+    press(window, KEY.Key_Left, CONTROL)
+    assert scene(window).position == len(scene(window).track.iterates) - 2
+    np.testing.assert_allclose(points(window), scene(window).mesh.points, rtol=1e-6)
+    for _ in range(2):
+        press(window, KEY.Key_Left, CONTROL)
+    start = scene(window).iterate.number
+    press(window, KEY.Key_R)
+    wait_for_end(window, qtbot)
+    assert scene(window).track.iterates[start].number == start
+    assert scene(window).iterate.objective > scene(window).track.first.objective
+
+    out = tmp_path / "better.vtu"
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(out), ""))
+    shown = scene(window).mesh
+    press(window, KEY.Key_S, CONTROL)
+    qtbot.waitUntil(out.exists, timeout=20_000)
+    qtbot.waitUntil(lambda: not window.isWindowModified(), timeout=20_000)
+    assert read_mesh(out).points.tobytes() == shown.points.tobytes()
+
+    while window.session.document.edits.canUndo():
+        press(window, KEY.Key_Z, CONTROL)
+    assert scene(window).mesh is None
+    press(window, KEY.Key_Y, CONTROL)
+    assert scene(window).mesh is first
+
+    monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Discard)
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(out), ""))
+    press(window, KEY.Key_O, CONTROL)
+    qtbot.waitUntil(lambda: scene(window).state.path == out, timeout=20_000)
+    np.testing.assert_allclose(points(window), shown.points, rtol=1e-6)
+
+
+def test_dragging_the_limit_colours_and_counts_anew(meshed, qtbot):
+    before = scene(meshed).quality.failing_count
+    chart = meshed.docks.quality.chart
+    at = {limit: chart.point_at(limit).toPoint() for limit in (0.25, 0.8)}
+    QTest.mousePress(chart, LEFT, pos=at[0.25])
+    QTest.mouseMove(chart, at[0.8])
+    QTest.mouseRelease(chart, LEFT, pos=at[0.8])
+    assert scene(meshed).limit == pytest.approx(0.8, abs=0.01)
+    assert scene(meshed).quality.failing_count > before
+    np.testing.assert_array_equal(colours(meshed), element_colours(scene(meshed).quality))
+    assert meshed.choices.limits.value() == pytest.approx(scene(meshed).limit, abs=0.005)
+    assert meshed.session.settings.limits == {"stretch": scene(meshed).limit}
+
+
+def test_a_click_in_view_or_table_selects_in_both(meshed, qtbot):
+    table = meshed.docks.worst.table
+    qtbot.waitUntil(lambda: table.model().rowCount() > 0, timeout=5000)
+    QTest.mouseClick(table.viewport(), LEFT, pos=table.visualRect(table.model().index(2, 0)).center())
+    (row,) = scene(meshed).view.selection
+    assert row == scene(meshed).quality.worst_first[2]
+    press(meshed, KEY.Key_N)
+    assert scene(meshed).view.selection == {scene(meshed).quality.worst_first[3]}
+    press(meshed, KEY.Key_Escape)
+    assert scene(meshed).view.selection == frozenset()
+
+
+@pytest.mark.parametrize("number", range(len(METRICS)))
+def test_number_keys_choose_the_metric(meshed, number):
+    press(meshed, Qt.Key(KEY.Key_1 + number))
+    assert scene(meshed).view.metric is METRICS[number]
+    assert meshed.choices.metrics.currentText() == METRICS[number].title
+    np.testing.assert_array_equal(colours(meshed), element_colours(scene(meshed).quality))
+
+
+def test_reset_goes_back_to_the_mesh_as_it_was_made(meshed, qtbot):
+    made = scene(meshed).mesh
+    for _ in range(2):
+        press(meshed, KEY.Key_S)
+        wait_for_end(meshed, qtbot)
+    press(meshed, KEY.Key_R, CONTROL)
+    assert scene(meshed).mesh is made
+    assert len(scene(meshed).track.iterates) == 1
+    press(meshed, KEY.Key_Z, CONTROL)
+    assert scene(meshed).iterate.number == 2
+
+
+def test_dark_and_light_change_every_part_and_are_remembered(meshed):
+    light = meshed.grab().toImage().pixelColor(5, 5)
+    press(meshed, KEY.Key_D)
+    assert meshed.session.settings.theme == "dark"
+    assert meshed.grab().toImage().pixelColor(5, 5).lightness() < light.lightness()
+    press(meshed, KEY.Key_D)
+    assert meshed.session.settings.theme == "light"
+
+
+def test_the_plates_of_a_block_are_listed_meshed_and_chosen(window, qtbot):
+    open_sample(window, qtbot, "hopper_block")
+    assert window.choices.plates.count() == 14
+    press(window, KEY.Key_M, SHIFT)
+    qtbot.waitUntil(lambda: len(scene(window).state.tracks) == 13, timeout=60_000)
+    qtbot.waitUntil(window.messages.isVisible, timeout=5000)
+    assert "not yet" in window.messages.sentence.text()
+    window.choices.plates.setFocus()
+    press(window.choices.plates, KEY.Key_Down)
+    assert scene(window).view.key == "B2"
+
+
+def test_a_refused_document_is_told_and_what_was_open_stays(meshed, qtbot):
+    before = scene(meshed)
+    drop(meshed, "tests/data/bad-plates/bowtie.json")
+    qtbot.waitUntil(meshed.messages.isVisible, timeout=20_000)
+    assert "cross" in meshed.messages.sentence.text()
+    assert meshed.messages.details.toPlainText() == "E_SELF_INTERSECT at /plates/0/outer"
+    assert scene(meshed).mesh is before.mesh
+
+
+def drop(window, file):
+    """Drop a file of the project on the window."""
+    files = QMimeData()
+    files.setUrls([QUrl.fromLocalFile(str(PROJECT / file))])
+    window.session.document.edits.setClean()
+    window.dropEvent(QDropEvent(QPointF(9, 9), Qt.DropAction.CopyAction, files, LEFT, NONE))
+
+
+def test_a_picture_of_what_is_shown_is_saved_and_copied(meshed, tmp_path, monkeypatch):
+    out = tmp_path / "plate.png"
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(out), ""))
+    meshed.filing.picture_menu.actions()[0].trigger()
+    press(meshed, KEY.Key_S, CONTROL | SHIFT)
+    image = QImage(str(out))
+    assert (image.width(), image.height()) == (1600, 1000)
+    press(meshed, KEY.Key_C, CONTROL | SHIFT)
+    assert QGuiApplication.clipboard().image().width() == 1600
+
+
+@pytest.mark.parametrize("answer", ["Cancel", "Discard", "Save"])
+def test_closing_asks_before_something_is_lost(own_meshed, qtbot, tmp_path, monkeypatch, answer):
+    out = tmp_path / "kept.vtu"
+    asked = []
+    buttons = QMessageBox.StandardButton
+    monkeypatch.setattr(QMessageBox, "question", lambda *_: asked.append(1) or getattr(buttons, answer))
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(out), ""))
+    assert own_meshed.isWindowModified()
+    own_meshed.close()
+    assert asked
+    if answer == "Cancel":
+        assert own_meshed.isVisible()
+    else:
+        qtbot.waitUntil(lambda: not own_meshed.isVisible(), timeout=20_000)
+    assert out.exists() == (answer == "Save")
+
+
+def test_closing_while_a_run_goes_on_ends_cleanly(own_meshed, qtbot, monkeypatch):
+    monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Discard)
+    press(own_meshed, KEY.Key_R)
+    own_meshed.close()
+    qtbot.waitUntil(lambda: not own_meshed.isVisible(), timeout=20_000)
+
+
+def test_layout_and_size_come_back(own_window, tmp_path):
+    own_window.docks.quality.parent().hide()
+    own_window.resize(1234, 777)
+    own_window.close()
+    assert own_window.height() == 777
+    again = MainWindow(Session(settings_in(tmp_path)))
+    assert again.size() == own_window.size()
+    assert not again.docks.quality.parent().isVisibleTo(again)
+    closed(again)
+
+
+def test_the_window_can_be_as_small_as_a_laptop(window):
+    assert window.minimumSizeHint().width() <= 1100
+    assert window.minimumSizeHint().height() <= 700
+
+
+def test_every_control_has_a_name_and_every_action_a_tip(window):
+    for action in window.actions_by_name:
+        assert action.toolTip()
+        if not action.shortcut().isEmpty():
+            assert "(" in action.toolTip()
+    for box in (window.choices.plates, window.choices.metrics, window.choices.limits, window.welcome.gallery):
+        assert box.accessibleName()
+
+
+def test_no_two_actions_share_a_key(window):
+    keys = [action.shortcut().toString() for action in window.actions_by_name if not action.shortcut().isEmpty()]
+    assert len(keys) == len(set(keys))
+
+
+def test_the_view_turns_to_standard_views_and_back(meshed):
+    before = meshed.canvas.viewpoint.camera
+    press(meshed, KEY.Key_F9)
+    assert abs(meshed.canvas.viewpoint.camera.towards @ before.towards) < 0.9
+    press(meshed, KEY.Key_F5)
+    np.testing.assert_allclose(meshed.canvas.viewpoint.camera.towards, before.towards, atol=1e-9)
