@@ -8,6 +8,9 @@ from scipy.special import ellipeinc
 
 from hullquad.arrays import Floats, floats
 
+_MOST_CHORDS = 4000
+"""Of a polyline; half a circle of 500 m is within 0.02 mm of so many, and nothing larger is a plate."""
+
 
 @attrs.frozen(eq=False)
 class Straight:
@@ -190,6 +193,14 @@ def polyline(curve: Curve, tolerance: float) -> Floats:
     return curve.points(curve.stations(tolerance))
 
 
+def chord_error(curve: Curve, row: Floats) -> float:
+    """How far a curve leaves a polyline of equal steps along it, at most [mm]."""
+    if isinstance(curve, Straight):
+        return 0.0
+    radius = curve.radius if isinstance(curve, Arc) else max(curve.a, curve.b)
+    return radius * (curve.sweep / (len(row) - 1)) ** 2 / 8
+
+
 def nearest(curve: Curve, point: Floats) -> float:
     """Length from the start at which the curve is nearest to a point beside it."""
     stations = curve.stations(curve.length / 1000)
@@ -207,9 +218,9 @@ def _heading(vector: Floats) -> float:
 
 
 def _pieces(sweep: float, radius: float, tolerance: float) -> int:
-    """Number of chords that keep within `tolerance` of an arc: from 8 to 720 a turn (0.5 degrees)."""
-    step = np.clip(np.sqrt(8 * tolerance / radius), np.pi / 360, np.pi / 4)
-    return max(1, int(np.ceil(abs(sweep) / step)))
+    """Number of chords that keep within `tolerance` of an arc: at least 8 a turn, and never more than 4000."""
+    step = min(np.sqrt(8 * tolerance / radius), np.pi / 4)
+    return max(1, int(min(np.ceil(abs(sweep) / step), _MOST_CHORDS)))
 
 
 def _with_exact_ends(curve: Curve, lengths: Floats, points: Floats) -> Floats:

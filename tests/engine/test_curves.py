@@ -3,7 +3,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from hullquad.curves import Arc, EllipseArc, Straight, canonical, nearest, polyline
+from hullquad.curves import Arc, EllipseArc, Straight, canonical, chord_error, nearest, polyline
 
 coordinates = st.floats(-1e4, 1e4)
 points = st.tuples(coordinates, coordinates)
@@ -101,5 +101,14 @@ def test_a_polyline_keeps_its_tolerance(curve, tolerance):
     row = polyline(curve, tolerance)
     fine = curve.points(np.linspace(0, curve.length, 500))
     away = shapely.distance(shapely.LineString(row), shapely.points(fine)).max()
-    most_pieces = 1 - np.cos(np.pi / 720)
-    assert away <= max(tolerance, most_pieces * getattr(curve, "radius", 3000)) * 1.01
+    assert away <= max(tolerance, chord_error(curve, row)) * 1.01
+
+
+@pytest.mark.parametrize("radius", [1e3, 187e3, 2.5e5])
+def test_the_polyline_of_an_arc_as_large_as_a_plate_keeps_the_finest_tolerance(radius):
+    half = Arc([-radius, 0], [radius, 0], 1.0)
+    assert chord_error(half, polyline(half, 0.02)) <= 0.02
+
+
+def test_an_arc_larger_than_any_plate_has_no_endless_polyline():
+    assert len(polyline(Arc([-1e9, 0], [1e9, 0], 1.0), 0.02)) == 4001

@@ -8,7 +8,7 @@ import shapely
 from scipy.spatial import cKDTree
 
 from hullquad.arrays import Floats, floats
-from hullquad.curves import Curve, canonical, nearest, polyline
+from hullquad.curves import Curve, canonical, chord_error, nearest, polyline
 from hullquad.plate import Plate
 
 _EXACT = 1e-6
@@ -59,7 +59,7 @@ def anchors(plate: Plate) -> Anchors:
     node is that node. An end within a hole is no node.
     """
     named = list(_points(plate))
-    candidates = _nearest_edges(plate, np.array([point for _, point in named]).reshape(-1, 2))
+    candidates = nearest_edges(plate, np.array([point for _, point in named]).reshape(-1, 2))
     on_edges: dict[tuple[int, int], list[Anchor]] = {}
     inside: list[tuple[str, Floats]] = []
     snaps = []
@@ -86,13 +86,17 @@ def _points(plate: Plate) -> Iterator[tuple[str, Floats]]:
         yield f"{plate.place}/fixed/{i}", point
 
 
-def _nearest_edges(plate: Plate, points: Floats) -> list[tuple[int, int] | None]:
-    """Loop and edge that each point lies on, within the tolerance; None for the others."""
+def nearest_edges(plate: Plate, points: Floats) -> list[tuple[int, int] | None]:
+    """Loop and edge that each point lies on, within the tolerance; None for the others.
+
+    Polylines only tell which edges are worth measuring: those of large arcs may be farther off than the tolerance.
+    """
     keys = [(i, j) for i, loop in enumerate(plate.loops) for j in range(len(loop.curves))]
     curves = [canonical(plate.loops[i].curves[j]) for i, j in keys]
-    rows = [shapely.LineString(polyline(curve, plate.chord_error)) for curve in curves]
-    reach = plate.snap + plate.chord_error
-    near = shapely.STRtree(rows).query(shapely.points(points), predicate="dwithin", distance=reach).T
+    rows = [polyline(curve, plate.chord_error) for curve in curves]
+    reach = plate.snap + max(chord_error(curve, row) for curve, row in zip(curves, rows, strict=True))
+    tree = shapely.STRtree([shapely.LineString(row) for row in rows])
+    near = tree.query(shapely.points(points), predicate="dwithin", distance=reach).T
     found: list[tuple[float, int]] = [(plate.snap, -1)] * len(points)
     for point, edge in sorted(map(tuple, near)):
         away = float(np.hypot(*(_foot(curves[edge], points[point]) - points[point])))
