@@ -1,6 +1,6 @@
 """What can go wrong, as values: a code, a place and numbers; the sentences are in one table."""
 
-from typing import Any
+from typing import Any, Self
 
 from hullquad.sentences import SENTENCES
 
@@ -34,8 +34,17 @@ class HullquadError(Exception):
 
     @property
     def text(self) -> str:
-        """The English sentence: what is wrong, where, what to do."""
-        return SENTENCES[self.key].format(**self.numbers)
+        """The English sentence: which plate, what is wrong, where, what to do."""
+        plate = SENTENCES["OF_PLATE"].format(plate=self.numbers["plate"]) if self.numbers.get("plate") else ""
+        return plate + SENTENCES[self.key].format(**self.numbers)
+
+    def concerning(self, plate: str) -> Self:
+        """The same error, telling the id of the plate."""
+        return type(self)(self.code, self.place, self.case, **{**self.numbers, "plate": plate})
+
+    def at(self, place: str) -> Self:
+        """The same error at another place."""
+        return type(self)(self.code, place, self.case, **self.numbers)
 
     def __str__(self) -> str:
         return f"{self.code} at {self.place}: {self.text}"
@@ -46,6 +55,10 @@ class HullquadError(Exception):
 
 class PlateError(HullquadError):
     """A plate document that cannot be used; `others` among the numbers counts its further faults."""
+
+    def among(self, others: int) -> "PlateError":
+        """The same error, knowing how many others there are."""
+        return PlateError(self.code, self.place, self.case, **{**self.numbers, "others": others})
 
     @property
     def others(self) -> int:

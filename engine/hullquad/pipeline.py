@@ -5,20 +5,23 @@ from collections.abc import Callable, Iterable
 import numpy as np
 
 from hullquad.arrays import Bytes
-from hullquad.errors import MeshingError
+from hullquad.errors import HullquadError, MeshingError
 from hullquad.mesh import Mesh
 from hullquad.optimization.iterate import Iterate, Outcome, outcome
 from hullquad.plate import Plate
 from hullquad.surface import Plane
 from hullquad.topology import NodeState, topology
-from hullquad.triangulation.contour import Contour
-from hullquad.triangulation.delaunay import triangulate
+from hullquad.triangulation.contour import MOST_ELEMENTS, Contour
+from hullquad.triangulation.delaunay import Triangulation, triangulate
 
 MIN_ANGLE = 30.0
 """Least angle of the triangles, where the contour allows it [degrees]."""
 
 TRIANGLE_AREA = 0.8
 """Largest triangle over the square of the element size: the average one is then half a square of that size."""
+
+_MOST_TRIANGLES = 4 * MOST_ELEMENTS
+"""Two for each element, and as many again, so that a size that was allowed is never refused afterwards."""
 
 
 def paper_mesh(contour: Contour, input_hash: str = "") -> Mesh:
@@ -33,13 +36,7 @@ def paper_mesh(contour: Contour, input_hash: str = "") -> Mesh:
     from hullquad.quads.pairs import pairs  # noqa: PLC0415
 
     plate, surface = contour.plate, plane_of(contour.plate)
-    triangulation = triangulate(
-        contour.nodes,
-        contour.loop_starts,
-        area=TRIANGLE_AREA * contour.size**2,
-        min_angle=MIN_ANGLE,
-        place=plate.id,
-    )
+    triangulation = _triangulated(contour)
     points = surface.points(triangulation.nodes)
     points[: len(contour.points)] = contour.points
     possible = pairs(points, triangulation.triangles, surface.normal[None])
@@ -65,8 +62,22 @@ def plane_of(plate: Plate) -> Plane:
         E_CURVED: the plate is curved.
     """
     if not isinstance(plate.surface, Plane):
-        raise MeshingError("E_CURVED", plate.id)
+        raise MeshingError("E_CURVED", plate.place, plate=plate.id)
     return plate.surface
+
+
+def _triangulated(contour: Contour) -> Triangulation:
+    try:
+        return triangulate(
+            contour.nodes,
+            contour.loop_starts,
+            area=TRIANGLE_AREA * contour.size**2,
+            min_angle=MIN_ANGLE,
+            place=contour.plate.place,
+            element_limit=_MOST_TRIANGLES,
+        )
+    except HullquadError as error:
+        raise error.concerning(contour.plate.id) from error
 
 
 def improved(iterates: Iterable[Iterate], watch: Callable[[Iterate], None] = lambda _: None) -> Outcome:

@@ -9,8 +9,8 @@ import numpy.typing as npt
 import shapely
 
 from hullquad.arrays import Floats, Ints, floats, ints
-from hullquad.curves import Curve, polyline
-from hullquad.errors import HullquadError
+from hullquad.curves import Curve, chord_error, polyline
+from hullquad.errors import PlateError
 from hullquad.sentences import SENTENCES
 from hullquad.surface import Bezier, Plane, Surface
 
@@ -40,6 +40,18 @@ class Notice:
 
     def __str__(self) -> str:
         return f"{self.code} at {self.place}: {self.text}"
+
+
+@attrs.frozen(eq=False)
+class Refusal:
+    """A plate of a document that cannot be used."""
+
+    plate_id: str
+    """Empty when it has none."""
+    place: str
+    """Path in the document: ``/plates/3``."""
+    error: PlateError
+    """The first thing that is wrong with it."""
 
 
 @attrs.frozen
@@ -161,6 +173,12 @@ class Plate:
         return CHORD_ERROR * self.least_length
 
     @cached_property
+    def outline_error(self) -> float:
+        """How far the outlines leave the contour, at most: more than `chord_error` only for arcs larger than plates."""
+        curves = [curve for loop in self.loops for curve in loop.curves]
+        return max(chord_error(curve, polyline(curve, self.chord_error)) for curve in curves)
+
+    @cached_property
     def outlines(self) -> tuple[Floats, ...]:
         """Fine polygon of each loop."""
         return tuple(floats(loop.outline(self.chord_error)) for loop in self.loops)
@@ -186,12 +204,6 @@ class Plate:
     def rows(self) -> npt.NDArray[np.object_]:
         """(L,) each stiffener and seam as a line string."""
         return np.array([shapely.LineString([line.a, line.b]) for line in self.lines], dtype=object)
-
-    def place_of(self, error: HullquadError) -> Floats:
-        """(1, 3) point in space that an error tells of [mm]; (0, 3) when it tells of none, or the plate is curved."""
-        if not isinstance(self.surface, Plane) or not {"u", "v"} <= error.numbers.keys():
-            return floats(np.empty((0, 3)))
-        return floats(self.surface.points(np.array([[error.numbers["u"], error.numbers["v"]]])))
 
     @cached_property
     def clipped_lines(self) -> Floats:

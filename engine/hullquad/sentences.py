@@ -15,6 +15,7 @@ SENTENCES: dict[str, str] = {
     "E_FILE:unreadable": "the file cannot be read: {reason}",
     "E_FILE:unwritable": "the file cannot be written: {reason}; nothing was changed",
     "E_FILE:no_folder": "there is no folder {folder}; make it first, or choose another",
+    "E_FILE:output": "the result cannot be printed: {reason}; mesh files are written all the same",
     "E_FILE:protected_folder": "the folder {folder} is protected against writing; choose another",
     "E_FILE:protected": "the file is protected against writing; choose another name or remove the protection",
     "E_SUFFIX:read_mesh": "no mesh is read from files with the ending {suffix}, only from {known}",
@@ -95,6 +96,7 @@ SENTENCES: dict[str, str] = {
     "E_TRIANGLE:areas": "the triangles do not cover the plate exactly; look for edges that nearly touch each "
     "other here",
     # plates
+    "OF_PLATE": "plate {plate}: ",
     "MORE": " (and {others} more errors)",
     "MORE:one": " (and 1 more error)",
     "E_FILE:encoding": "byte {byte} is not UTF-8; save the document as UTF-8 text",
@@ -145,6 +147,7 @@ SENTENCES: dict[str, str] = {
     "E_FRAME": "the axes u (length {u:.7g}) and v (length {v:.7g}) must be 1 long and square to each other (u.v is "
     "{dot:.3g}, not 0); correct them",
     "E_MATERIAL:unknown": "there is no material {shown}; choose one of {known}, or add it to the materials",
+    "E_MATERIAL:none": "there is no material {shown}, for the document has none at all; add it to the materials",
     "E_MATERIAL:poisson": "Poisson's ratio is {shown}; it must be below 0.5",
     "E_DIVISIONS": "{shown} is no number of segments; use a whole number from 1 to {most}",
     "E_DIVISIONS:edges": "there are {count} numbers for the {wanted} edges of the loop; give one for each edge",
@@ -178,8 +181,11 @@ SENTENCES: dict[str, str] = {
     "E_SURFACE:degree": "the degree is {shown}; it is a list of two whole numbers from 1",
     "E_SURFACE:grid": "the control points must be rows of the same length, with at least one point",
     "E_SURFACE:control": "the degree asks for {rows} rows of {columns} control points; correct the one or the other",
-    "E_TOO_BIG": "about {elements:.2g} elements of size {size:g} mm would be needed, {most:g} are allowed; choose a "
-    "size above {least:.2g} mm",
+    "E_SIZE:large": "elements of {size:g} mm are larger than any plate; choose a size below {most:g} mm",
+    "E_TOO_BIG": "with elements of {size:g} mm the plate would have more than the {most:,} that are allowed; choose "
+    "{least:g} mm or more",
+    "E_TOO_BIG:divisions": "the numbers of divisions ask for {count:,} segments, too many for the {most:,} elements "
+    "that are allowed; choose smaller ones",
     "E_COARSE": "with segments of {size:g} mm the straight sides cut something at ({u:.7g}, {v:.7g}) that the true "
     "edges leave apart; choose a smaller size: {helping:.4g} mm helps",
     "E_COARSE:always": "with segments of {size:g} mm the straight sides cut something at ({u:.7g}, {v:.7g}) that the "
@@ -188,9 +194,9 @@ SENTENCES: dict[str, str] = {
     "W_UNITS": "the plate's largest extent is {extent:g} mm; check the coordinates and the units",
     "W_LINE_HOLE": "the line crosses hole {hole}; it is cut there",
     "W_CORNER": "the corner at ({u:.7g}, {v:.7g}) has only {angle:.3g} degrees; no mesh is good there: cut the tip off",
-    "W_SHORT_EDGE": "the edge is {length:.4g} mm long, less than a fifth of the target size ({least:.4g} mm), as are "
+    "W_SHORT_EDGE": "the edge is {length:.4g} mm long, less than a fifth of the element size ({least:.4g} mm), as are "
     "{count} of this loop; the elements there will be small",
-    "W_SMALL_HOLE": "the hole is {width:.4g} mm wide, less than the target size ({size:g} mm); the elements around it "
+    "W_SMALL_HOLE": "the hole is {width:.4g} mm wide, less than the element size ({size:g} mm); the elements around it "
     "will be small: leave it out, or choose a smaller size",
     "W_ODD": "the contour has {count} edges with segments of {size:g} mm, an odd number: one triangle is unavoidable; "
     "change the division of one edge by one",

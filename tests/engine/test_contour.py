@@ -1,3 +1,5 @@
+import re
+
 import attrs
 import numpy as np
 import pytest
@@ -5,11 +7,14 @@ import shapely
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from hullquad import pipeline
 from hullquad.curves import Arc, EllipseArc, Straight, nearest
 from hullquad.errors import PlateError
+from hullquad.formats.hullplate.defects import defects
 from hullquad.plate import Document, Line, Plate, Sizes, closed_loop
 from hullquad.surface import Plane
-from hullquad.triangulation.contour import attempts, contours
+from hullquad.triangulation.concerns import division_concerns
+from hullquad.triangulation.contour import attempts, contours, elements_needed, refuse_size
 
 RECTANGLE = [(0, 0), (2000, 0), (2000, 1000), (0, 1000)]
 
@@ -156,13 +161,72 @@ def test_lines_are_cut_by_holes():
 def test_a_plate_with_too_many_elements_is_refused():
     with pytest.raises(PlateError) as caught:
         contour(size=0.1)
+    assert (caught.value.code, caught.value.place) == ("E_TOO_BIG", "/plates/0")
+    with pytest.raises(PlateError) as caught:
+        contours(Document(name="d", materials={}, plates=(plate(size=0.1),)))
     assert (caught.value.code, caught.value.place) == ("E_TOO_BIG", "/plates/0/target_size")
 
 
-@pytest.mark.parametrize("size", [1e-320, 0.0, -1.0, float("nan")])
-def test_a_size_that_is_none_is_refused(size):
+@given(st.floats(1, 1e5), st.floats(1, 1e5), st.integers(0, 30_000))
+@settings(max_examples=60, deadline=None)
+def test_the_size_told_is_the_least_that_is_allowed(width, height, wished):
+    corners = [(0, 0), (width, 0), (width, height), (0, height)]
+    described = plate(outer=straight(corners), divisions=((wished,) * 4,) if wished else ())
+    with pytest.raises(PlateError) as caught:
+        refuse_size(described, 1e-4, "")
+    told = float(re.search("choose ([0-9.e+-]+) mm", caught.value.text)[1])
+    refuse_size(described, told, "")
     with pytest.raises(PlateError):
+        refuse_size(described, told / 1.02, "")
+    triangles = 2 * elements_needed(described, told) + 2 * 4 * max(wished, 1)
+    assert triangles < pipeline._MOST_TRIANGLES
+
+
+def test_divisions_too_many_for_any_size_are_refused():
+    with pytest.raises(PlateError) as caught:
+        contour(divisions=((10**7, 1, 1, 1),))
+    assert (caught.value.key, caught.value.place) == ("E_TOO_BIG:divisions", "/plates/0/divisions")
+    assert "10,000,003 segments" in caught.value.text
+
+
+@pytest.mark.parametrize("size", [1e-320, 0.0, -1.0, float("nan"), float("inf"), 1e155])
+def test_a_size_that_is_none_is_refused(size):
+    with pytest.raises(PlateError) as caught:
         contour(size=size)
+    assert "inf elements" not in caught.value.text
+
+
+@given(st.floats(1e3, 1e8), st.floats(0.1, 1), st.floats(0.05, 0.95), st.sampled_from([1, -1]), st.booleans())
+@settings(max_examples=80, deadline=None)
+def test_points_exactly_on_an_arc_are_nodes_on_it(radius, width, part, sense, as_line):
+    """Decks have cambers of hundreds of metres: their chords are farther from them than any tolerance."""
+    chord = width * min(2 * radius, 4e5)
+    bulge = sense * np.tan(np.arcsin(chord / 2 / radius) / 2)
+    arc = Arc((0, 0), (chord, 0), bulge)
+    below = -chord
+    outer = [arc.reversed(), *straight([(0, 0), (0, below), (chord, below), (chord, 0)])[:3]]
+    on_arc = arc.points(np.array([part * arc.length]))[0]
+    points = {"lines": [(on_arc, (on_arc[0], below))]} if as_line else {"fixed": [on_arc]}
+    described = plate(outer=outer, size=chord / 7, **points)
+    assert defects(described) == []
+    found = contours(Document(name="d", materials={}, plates=(described,)))["P"]
+    assert tuple(on_arc) in set(map(tuple, found.nodes[: found.edge_count]))
+    assert not len(found.inside)
+    assert not found.snaps
+
+
+@pytest.mark.parametrize("size", [100.0, 700.0, 23.0])
+def test_warnings_are_those_of_the_size_that_is_used(size):
+    holes = [circle(500, 500, 150)]
+    found = contour(holes=holes, divisions=((7, 3, 6, 2), (3, 3)), fixed=[(1000, 30)], size=size)
+    notices = {notice.code: notice for notice in division_concerns(found)}
+    assert notices.keys() == {100.0: set(), 700.0: {"W_SMALL_HOLE", "W_NEAR"}, 23.0: set()}[size]
+    assert all(notice.numbers["size"] == size and notice.text for notice in notices.values())
+
+
+def test_an_odd_contour_is_warned_about():
+    (notice,) = division_concerns(contour(divisions=((7, 3, 6, 3),), size=500))
+    assert (notice.code, notice.numbers) == ("W_ODD", {"count": 19, "size": 500})
 
 
 def test_chords_that_cut_a_neighbouring_hole_are_refused_with_a_size_that_helps():

@@ -2,6 +2,7 @@ import copy
 import json
 import pickle
 import re
+import time
 from pathlib import Path
 
 import numpy as np
@@ -308,9 +309,88 @@ def test_sound_plates_survive_their_neighbours(described, tmp_path):
     described["plates"].insert(0, other)
     file = tmp_path / "two.json"
     file.write_text(json.dumps(described))
-    document, faults = hullplate.survey(file)
+    document, refusals = hullplate.survey(file)
     assert [plate.id for plate in document.plates] == ["P1"]
-    assert [fault.code for fault in faults] == ["E_THICKNESS"]
+    assert [(refusal.plate_id, refusal.place, refusal.error.code) for refusal in refusals] == [("P2", P, "E_THICKNESS")]
+
+
+def test_each_refused_plate_counts_its_own_faults(described, tmp_path):
+    one = described["plates"][0]
+    described["plates"] = [
+        {**one, "thickness": 0, "target_size": -1},
+        {**one, "id": "P2"},
+        "no plate",
+        {**one, "id": "P4", "target_size": 1e-9},
+    ]
+    file = tmp_path / "four.json"
+    file.write_text(json.dumps(described))
+    document, refusals = hullplate.survey(file)
+    assert [plate.id for plate in document.plates] == ["P2"]
+    assert [(refusal.plate_id, refusal.error.place, refusal.error.others) for refusal in refusals] == [
+        ("P1", "/plates/0/thickness", 1),
+        ("", "/plates/2", 0),
+        ("P4", "/plates/3/target_size", 0),
+    ]
+    assert refusal(described, tmp_path).others == 3
+
+
+@pytest.mark.parametrize(("place", "new"), [("/name", 3), ("/units", "mm"), ("/materials", []), ("/plates/1/id", "P1")])
+def test_what_concerns_all_plates_refuses_all(described, tmp_path, place, new):
+    described["plates"].append({**described["plates"][0], "id": "P2"})
+    put(described, place, new)
+    file = tmp_path / "two.json"
+    file.write_text(json.dumps(described))
+    with pytest.raises(PlateError) as caught:
+        hullplate.survey(file)
+    assert caught.value.place == place
+
+
+def test_thousands_of_faults_take_seconds(described, tmp_path):
+    described["materials"] |= {f"M{i}": {"E": -1, "nu": 0.3, "rho": 1e-9} for i in range(20_000)}
+    described |= {f"key {i}": 1 for i in range(5_000)}
+    start = time.perf_counter()
+    assert refusal(described, tmp_path).others > 24_000
+    assert time.perf_counter() - start < 8
+
+
+def test_a_document_without_materials_says_so(described, tmp_path):
+    described["materials"] = {}
+    assert "the document has none" in refusal(described, tmp_path).text
+
+
+def test_of_very_many_materials_some_are_told(described, tmp_path):
+    described["materials"] = {f"M{i}": described["materials"]["AH36"] for i in range(1000)}
+    assert "'M19', ...," in refusal(described, tmp_path).text
+
+
+@pytest.mark.parametrize(
+    ("place", "new", "shown"),
+    [(f"{P}/thickness", {"a": 1}, "an object"), (f"{P}/title", [1], "a list"), (f"{P}/title", True, "true or false")],
+)
+def test_what_stands_there_is_told_by_its_kind(described, tmp_path, place, new, shown):
+    put(described, place, new)
+    assert f"not {shown}" in refusal(described, tmp_path).text
+
+
+def test_axes_of_few_decimals_are_made_orthonormal(described, tmp_path):
+    described["plates"][0]["frame"] |= {"u": [0.7071068, 0.7071068, 0], "v": [0.0000001, 0, 0.9999999]}
+    plane = read(described, tmp_path).plates[0].surface
+    assert np.array([plane.u @ plane.u - 1, plane.v @ plane.v - 1, plane.u @ plane.v]) == pytest.approx(0, abs=1e-15)
+    assert [*plane.u, *plane.v] == pytest.approx([0.7071068, 0.7071068, 0, 1e-7, 0, 1], abs=2e-7)
+
+
+def test_exact_axes_keep_their_bits(described, tmp_path):
+    turn = np.radians(33.3)
+    axes = {"u": [np.cos(turn), np.sin(turn), 0.0], "v": [-np.sin(turn), np.cos(turn), 0.0]}
+    described["plates"][0]["frame"] |= axes
+    plane = read(described, tmp_path).plates[0].surface
+    assert (plane.u.tolist(), plane.v.tolist()) == (axes["u"], axes["v"])
+
+
+@pytest.mark.parametrize("v", [[1.5e-6, 1, 0], [0, 1.0000015, 0]])
+def test_axes_beyond_a_millionth_are_refused(described, tmp_path, v):
+    described["plates"][0]["frame"]["v"] = v
+    assert refusal(described, tmp_path).code == "E_FRAME"
 
 
 def test_the_values_of_a_document_are_read(described, tmp_path):

@@ -1,5 +1,6 @@
 """From real plates to improved quads: what must hold on every plane sample plate."""
 
+import json
 import subprocess
 import sys
 from pathlib import Path
@@ -10,12 +11,13 @@ from shapely import Polygon
 
 from hullquad import pipeline
 from hullquad.errors import MeshingError
-from hullquad.formats import read_plates
+from hullquad.formats import read_mesh, read_plates, write_mesh
 from hullquad.metrics import metric
 from hullquad.optimization.iterate import outcome
 from hullquad.optimization.paper import PaperSettings, paper_iterates
 from hullquad.topology import NodeState, edges
 from hullquad.triangulation.contour import Contour, contours
+from hullquad.worker import WorkerError
 
 PLATES = Path(__file__).parents[2] / "assets" / "plates"
 DOCUMENTS = {path.stem: read_plates(path) for path in sorted(PLATES.glob("*.json"))}
@@ -68,6 +70,29 @@ def test_the_triangles_left_have_the_parity_of_the_contour(name):
     mesh = pipeline.paper_mesh(contour)
     assert len(mesh.topology.triangles) % 2 == contour.triangles_unavoidable
     assert len(mesh.topology.triangles) <= 0.2 * len(mesh.topology.elements)
+
+
+@pytest.mark.parametrize("decimals", [6, 7, 8, 12])
+def test_the_mesh_of_a_plate_with_a_rounded_frame_can_be_read_again(decimals, tmp_path):
+    turn = np.radians(45)
+    described = json.loads((PLATES / "hopper_partition.json").read_text(encoding="utf-8"))
+    axes = {"u": [np.cos(turn), np.sin(turn), 0], "v": [0, 0, 1]}
+    described["plates"][0]["frame"] |= {key: np.round(axis, decimals).tolist() for key, axis in axes.items()}
+    (tmp_path / "turned.json").write_text(json.dumps(described), encoding="utf-8")
+    (contour,) = contours(read_plates(tmp_path / "turned.json")).values()
+    mesh = pipeline.paper_mesh(contour)
+    write_mesh(mesh, tmp_path / "turned.vtu")
+    again = read_mesh(tmp_path / "turned.vtu")
+    assert again.points.tobytes() == mesh.points.tobytes()
+
+
+def test_what_stops_a_plate_tells_its_place_and_its_name(monkeypatch):
+    def crash(*_: object, place: str, **__: object) -> None:
+        raise WorkerError("E_CRASH", place, ending="signal 11")
+
+    monkeypatch.setattr(pipeline, "triangulate", crash)
+    with pytest.raises(WorkerError, match="E_CRASH at /plates/0: plate hopper_partition: the computation crashed"):
+        pipeline.paper_mesh(COARSE["hopper_partition"])
 
 
 def test_curved_plates_are_told_not_yet():

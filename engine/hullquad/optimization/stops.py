@@ -30,7 +30,7 @@ GRADIENT = Stop(
 GAIN = Stop(
     "gain",
     "the best sum has hardly grown over the last iterations",
-    "Converged for this step length; a smaller c can gain a little more.",
+    "Converged: going on would gain next to nothing. A smaller element size or another metric changes more.",
 )
 ITERATIONS = Stop(
     "iterations",

@@ -17,6 +17,8 @@ from hullquad.triangulation.clearance import crossing, near_segments, segments
 
 MOST_ELEMENTS = 5_000_000
 """Per plate."""
+_LARGEST_SIZE = 1e9
+"""Elements as large as the largest coordinate are longer than any plate; squares of the size do not overflow [mm]."""
 _CLEARANCE = 0.01
 """Distance that nodes keep from the segments of others, so that the triangulation can tell them apart [mm]."""
 _TRIES = 8
@@ -124,7 +126,10 @@ def attempts(document: Document, size: float | str | None = None) -> dict[str, C
     plates = [plate for plate in document.plates if plate.is_plane]
     fixed = {plate.id: anchors(plate) for plate in plates}
     # edges that plates have in common: their anchors and sizes are to be joined here, before any is divided
-    return {plate.id: _attempt(plate, fixed[plate.id], element_size(plate, size)) for plate in plates}
+    below = "/target_size" if size is None else ""
+    return {
+        plate.id: _attempt(plate, fixed[plate.id], element_size(plate, size), plate.place + below) for plate in plates
+    }
 
 
 def element_size(plate: Plate, size: float | str | None) -> float:
@@ -135,29 +140,57 @@ def element_size(plate: Plate, size: float | str | None) -> float:
 
 
 def elements_needed(plate: Plate, size: float) -> float:
-    """Estimate of the number of elements of a size; infinite for what is no size."""
-    region = plate.region
-    return max(region.area / size / size, region.length / size / 2) if size > 0 else np.inf
+    """Estimate of the number of elements of a size: of the area, and of those that the contour's segments ask for."""
+    count, length = _segments_asked_for(plate)
+    return float(plate.region.area) / size / size + (count + length / size) / 2
 
 
-def refuse_too_many(plate: Plate, size: float) -> None:
-    """Refuse a size that would make more elements than can be handled.
+def refuse_size(plate: Plate, size: float, place: str) -> None:
+    """Refuse what is no size, and a size that would make more elements than can be handled.
 
     Raises
     ------
     PlateError
-        E_TOO_BIG
+        E_SIZE, E_TOO_BIG
     """
-    elements = elements_needed(plate, size)
-    if elements > MOST_ELEMENTS:
-        least = float(np.sqrt(plate.region.area / MOST_ELEMENTS))
-        place = f"{plate.place}/target_size"
-        raise PlateError("E_TOO_BIG", place, size=size, elements=elements, most=MOST_ELEMENTS, least=least)
+    if not size > 0:
+        raise PlateError("E_SIZE", place, "positive", shown=f"{size:g}")
+    if size > _LARGEST_SIZE:
+        raise PlateError("E_SIZE", place, "large", size=size, most=_LARGEST_SIZE)
+    if elements_needed(plate, size) > MOST_ELEMENTS:
+        raise _too_big(plate, size, place)
 
 
-def _attempt(plate: Plate, fixed: Anchors, size: float) -> Contour | PlateError:
+def _too_big(plate: Plate, size: float, place: str) -> PlateError:
+    """Error that says which size would do."""
+    count, length = _segments_asked_for(plate)
+    left = MOST_ELEMENTS - count / 2  # left x**2 - length x / 2 - area = 0 is solved by the least size
+    if left <= 0:
+        return PlateError("E_TOO_BIG", f"{plate.place}/divisions", "divisions", count=count, most=MOST_ELEMENTS)
+    root = np.sqrt((length / 4) ** 2 + left * plate.region.area)
+    least = _rounded_up(float((length / 4 + root) / left))
+    return PlateError("E_TOO_BIG", place, size=size, most=MOST_ELEMENTS, least=least)
+
+
+def _segments_asked_for(plate: Plate) -> tuple[int, float]:
+    """Number of segments whatever the size is, and length of the edges that are divided by it [mm]."""
+    count, length = 0, 0.0
+    for i, loop in enumerate(plate.loops):
+        wishes = plate.divisions[i] if plate.divisions else ()
+        count += sum(wishes) if wishes else len(loop.curves)
+        length += 0.0 if wishes else sum(curve.length for curve in loop.curves)
+    return count, length
+
+
+def _rounded_up(size: float) -> float:
+    """A size in three digits, not below."""
+    digit = 10.0 ** (np.floor(np.log10(size)) - 2)
+    return float(np.ceil(size / digit) * digit)
+
+
+def _attempt(plate: Plate, fixed: Anchors, size: float, place: str) -> Contour | PlateError:
     try:
-        refuse_too_many(plate, size)
+        refuse_size(plate, size, place)
         contour = _divided(plate, fixed, size)
         flaw = _flaw(contour)
     except PlateError as error:

@@ -1,9 +1,10 @@
 """The plate document: `hullplate` version 1, in JSON."""
 
 import hashlib
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
 from functools import partial
+from itertools import groupby
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -11,14 +12,15 @@ import attrs
 import numpy as np
 
 from hullquad.errors import PlateError
-from hullquad.formats.hullplate.concerns import concerns, division_concerns
-from hullquad.formats.hullplate.defects import defects
+from hullquad.formats.hullplate.concerns import concerns
+from hullquad.formats.hullplate.defects import defects, size_defects
 from hullquad.formats.hullplate.entry import Entry, Field, Refused, anything, fields, positive, text, whole
-from hullquad.formats.hullplate.json_text import decode, position
+from hullquad.formats.hullplate.json_text import Positions, decode
 from hullquad.formats.hullplate.plate_entry import plate as plate_of
 from hullquad.formats.source import content
-from hullquad.plate import Document, Material, Notice, Plate
-from hullquad.triangulation.contour import attempts, refuse_too_many
+from hullquad.plate import Document, Material, Notice, Plate, Refusal
+from hullquad.triangulation.concerns import division_concerns, size_concerns
+from hullquad.triangulation.contour import attempts
 
 _VERSION = 1
 _LENGTHS = {"mm": 1.0, "m": 1000.0}
@@ -30,7 +32,7 @@ Finding = TypeVar("Finding", PlateError, Notice)
 
 
 def read(path: Path) -> Document:
-    """Every plate of a document.
+    """Every plate of a document, with the warnings about meshes of its target sizes.
 
     Raises
     ------
@@ -39,47 +41,78 @@ def read(path: Path) -> Document:
     PlateError
         Something in the document is wrong: the first fault, `others` telling how many more there are.
     """
-    document, faults = survey(path)
-    if faults:
-        raise _first(faults)
-    return document
+    document, refusals, positions = _surveyed(path)
+    if refusals:
+        others = sum(refusal.error.others + 1 for refusal in refusals) - 1
+        raise refusals[0].error.among(others)
+    notices = [*document.warnings, *_at_target_size(document)]
+    return attrs.evolve(document, warnings=_in_order(notices, positions))
 
 
-def survey(path: Path) -> tuple[Document, tuple[PlateError, ...]]:
-    """Sound plates of a document, and the faults of the others in the order of the document.
+def survey(path: Path) -> tuple[Document, tuple[Refusal, ...]]:
+    """Sound plates of a document, with the warnings that hold for any size, and the others in their order.
 
     Raises
     ------
     FileError, PlateError
-        Something is wrong that concerns every plate: the file, its units, its materials.
+        Something is wrong that concerns every plate: the file, its units, its materials, an id given twice.
     """
+    document, refusals, _ = _surveyed(path)
+    return document, refusals
+
+
+def _surveyed(path: Path) -> tuple[Document, tuple[Refusal, ...], Positions]:
     data = content(path)
     value = decode(data, str(path))
     _refuse_others(value)
     faults: list[PlateError] = []
     found = fields(Entry(value, "", faults), _table(value))
-    if not all(fault.place.startswith("/plates/") for fault in faults):
-        raise _first(_in_order(faults, value))
+    positions = Positions(value)
+    in_order = _in_order(faults, positions)
+    if not all(map(_concerns_one_plate, in_order)):
+        raise in_order[0].among(len(in_order) - 1)
     document = Document(
         name=found["name"],
         materials=found["materials"],
         plates=tuple(found["plates"]),
         input_hash=hashlib.sha256(data).hexdigest(),
     )
-    document, too_big, notices = _divided(document)
-    document = attrs.evolve(document, warnings=_in_order(notices, value))
-    return document, _in_order(faults + too_big, value)
+    notices = [notice for plate in document.plates for notice in concerns(plate)]
+    document = attrs.evolve(document, warnings=_in_order(notices, positions))
+    return document, tuple(_refusals(in_order, value["plates"])), positions
 
 
-def _first(faults: tuple[PlateError, ...]) -> PlateError:
-    """First of the faults, which knows how many more there are."""
-    first = faults[0]
-    return PlateError(first.code, first.place, first.case, **first.numbers, others=len(faults) - 1)
+def _concerns_one_plate(fault: PlateError) -> bool:
+    """Whether the other plates can be used in spite of a fault; of an id given twice, nobody knows which is meant."""
+    return fault.place.startswith("/plates/") and fault.code != "E_DUP_ID"
 
 
-def _in_order(findings: Sequence[Finding], value: Any) -> tuple[Finding, ...]:
+def _refusals(faults: Sequence[PlateError], plates: list[Any]) -> Iterator[Refusal]:
+    """One refusal for each plate with faults: its first fault, which knows how many more it has."""
+    for number, group in groupby(faults, key=lambda fault: int(fault.place.split("/")[2])):
+        first, *others = group
+        name = plates[number].get("id") if isinstance(plates[number], dict) else None
+        plate_id = name if isinstance(name, str) else ""
+        yield Refusal(plate_id, f"/plates/{number}", first.among(len(others)))
+
+
+def _at_target_size(document: Document) -> Iterator[Notice]:
+    """Warnings about meshes of the plates' target sizes."""
+    outcomes = attempts(document)
+    for plate in document.plates:
+        outcome = outcomes.get(plate.id)
+        if outcome is None:
+            yield from size_concerns(plate, plate.target_size)
+        elif isinstance(outcome, PlateError):
+            yield from size_concerns(plate, plate.target_size)
+            yield Notice("W_COARSE", outcome.place, outcome.case, outcome.numbers)
+        else:
+            yield from division_concerns(outcome)
+
+
+def _in_order(findings: Sequence[Finding], positions: Positions) -> tuple[Finding, ...]:
     """Errors or warnings as their places follow each other in the document."""
-    return tuple(sorted(findings, key=lambda finding: position(value, finding.place)))
+    return tuple(sorted(findings, key=lambda finding: positions(finding.place)))
 
 
 def _refuse_others(value: Any) -> None:
@@ -99,7 +132,7 @@ def _table(value: dict[str, Any]) -> dict[str, Field]:
     """Keys of a document; its plates are read in the units that it names."""
     length, angle = _scales(value.get("units"))
     named = value.get("materials")
-    names = set(named) if isinstance(named, dict) else None
+    names = named if isinstance(named, dict) else None
     units = {"length": Field(partial(_unit, _LENGTHS), "E_UNITS"), "angle": Field(partial(_unit, _ANGLES))}
     return {
         "format": Field(anything),
@@ -169,6 +202,7 @@ def _plates(entry: Entry, read_plate: Callable[[Entry], Plate]) -> list[Plate]:
             _refuse_known_id(item, ids)
             plate = read_plate(item)
             entry.faults.extend(defects(plate))
+            entry.faults.extend(size_defects(plate) if len(entry.faults) == faults else [])
             sound.extend([plate] if len(entry.faults) == faults else [])
     return sound
 
@@ -180,28 +214,3 @@ def _refuse_known_id(entry: Entry, ids: set[str]) -> None:
         if name in ids:
             entry.at("id").refused("E_DUP_ID", shown=ascii(name))
         ids.add(name)
-
-
-def _divided(document: Document) -> tuple[Document, list[PlateError], list[Notice]]:
-    """Document without the plates that are too big, the errors of these, and the warnings about the others."""
-    contours = attempts(document)
-    too_big: list[PlateError] = []
-    notices: list[Notice] = []
-    kept = []
-    for plate in document.plates:
-        outcome = contours[plate.id] if plate.is_plane else _too_big(plate)
-        if isinstance(outcome, PlateError) and outcome.code == "E_TOO_BIG":
-            too_big.append(outcome)
-        else:
-            kept.append(plate)
-            notices += [*concerns(plate), *division_concerns(plate, outcome)]
-    return attrs.evolve(document, plates=tuple(kept)), too_big, notices
-
-
-def _too_big(plate: Plate) -> PlateError | None:
-    """Error of a curved plate with too many elements; where the coordinates are no lengths, nobody can tell."""
-    try:
-        refuse_too_many(plate, np.inf if plate.is_parametric else plate.target_size)
-    except PlateError as error:
-        return error
-    return None

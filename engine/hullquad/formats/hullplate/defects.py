@@ -10,7 +10,9 @@ import shapely
 from hullquad.arrays import Floats
 from hullquad.errors import PlateError
 from hullquad.plate import Line, Loop, Plate
+from hullquad.triangulation.anchors import nearest_edges
 from hullquad.triangulation.clearance import crossing, near_segments
+from hullquad.triangulation.contour import refuse_size
 
 _SLENDEREST = 1e-2
 """Part of the least length by which vertices must stay clear of the other edges of their loop."""
@@ -86,11 +88,18 @@ def _line_defects(plate: Plate) -> Iterator[PlateError]:
 
     @cache
     def widened() -> shapely.Polygon:
-        return rim.buffer(plate.snap, join_style="mitre")
+        return rim.buffer(plate.snap + plate.outline_error, join_style="mitre")
 
     for line, row in zip(plate.lines, plate.rows, strict=True):
-        if not rim.covers(row) and not widened().covers(row):
-            yield _line_outside(line, row, widened())
+        if not rim.covers(row) and not (widened().covers(row) and _ends_at_rim(plate, line, rim)):
+            yield _line_outside(line, row, rim.buffer(plate.snap, join_style="mitre"))
+
+
+def _ends_at_rim(plate: Plate, line: Line, rim: shapely.Polygon) -> bool:
+    """Whether the ends of a line that its outlines leave outside are on the true edges of the plate."""
+    ends = np.stack([line.a, line.b])
+    beyond = ends[~shapely.covers(rim, shapely.points(ends))]
+    return None not in nearest_edges(plate, beyond)
 
 
 def _line_outside(line: Line, row: shapely.LineString, widened: shapely.Polygon) -> PlateError:
@@ -101,7 +110,18 @@ def _line_outside(line: Line, row: shapely.LineString, widened: shapely.Polygon)
 
 def _point_defects(plate: Plate) -> Iterator[PlateError]:
     points = shapely.points(plate.fixed)
-    away = ~shapely.dwithin(plate.region, points, plate.snap)
-    for i in np.flatnonzero(away):
+    beyond = np.flatnonzero(~shapely.intersects(plate.region, points))
+    edges = nearest_edges(plate, plate.fixed[beyond])
+    for i in (i for i, edge in zip(beyond, edges, strict=True) if edge is None):
         u, v = plate.fixed[i]
         yield PlateError("E_POINT_OUTSIDE", f"{plate.place}/fixed/{i}", u=u, v=v)
+
+
+def size_defects(plate: Plate) -> Iterator[PlateError]:
+    """Refuse a target size with which a plate that is sound otherwise could not be meshed."""
+    if plate.is_parametric:
+        return  # no lengths before the surface can tell them
+    try:
+        refuse_size(plate, plate.target_size, f"{plate.place}/target_size")
+    except PlateError as error:
+        yield error

@@ -41,8 +41,9 @@ class Entry:
     @property
     def shown(self) -> str:
         """The value as a sentence may quote it."""
-        kinds: dict[type, str] = {type(None): "nothing", bool: "true or false", dict: "an object", list: "a list"}
-        return kinds[type(self.value)] if type(self.value) in kinds else reprlib.repr(self.value)
+        kinds = {type(None): "nothing", bool: "true or false", dict: "an object", list: "a list"}
+        named = (name for kind, name in kinds.items() if isinstance(self.value, kind))
+        return next(named, reprlib.repr(self.value))
 
 
 Read = Callable[[Entry], Any]

@@ -48,19 +48,32 @@ def child(place: str, key: str | int) -> str:
     return f"{place}/{name.replace('~', '~0').replace('/', '~1')}"
 
 
-def position(document: Any, place: str) -> tuple[int, ...]:
-    """Where a path stands in the document: a key for sorting; a missing key stands at the end of its object."""
-    numbers = []
-    value = document
-    for step in place.split("/")[1:]:
-        if isinstance(value, dict):
-            names = {child("", key)[1:]: key for key in value}
-            numbers.append(list(names).index(step) if step in names else len(names))
-            value = value.get(names.get(step))
-        elif isinstance(value, list) and step.isdecimal() and int(step) < len(value):
-            numbers.append(int(step))
-            value = value[int(step)]
-    return tuple(numbers)
+class Positions:
+    """Where paths stand in a document; what is known of an object is kept, for thousands of paths may lead to it."""
+
+    def __init__(self, document: Any) -> None:
+        self._document = document
+        self._known: dict[int, dict[str, tuple[int, Any]]] = {}
+
+    def __call__(self, place: str) -> tuple[int, ...]:
+        """Key for sorting; a missing key stands at the end of its object."""
+        numbers = []
+        value = self._document
+        for step in place.split("/")[1:]:
+            if isinstance(value, dict):
+                number, value = self._items(value).get(step, (len(value), None))
+                numbers.append(number)
+            elif isinstance(value, list) and step.isdecimal() and int(step) < len(value):
+                numbers.append(int(step))
+                value = value[int(step)]
+        return tuple(numbers)
+
+    def _items(self, value: dict[str, Any]) -> dict[str, tuple[int, Any]]:
+        """Number and value of each key of an object, by the name that paths have for it."""
+        if id(value) not in self._known:
+            rows = enumerate(value.items())
+            self._known[id(value)] = {child("", key)[1:]: (number, item) for number, (key, item) in rows}
+        return self._known[id(value)]
 
 
 def _integer(digits: str) -> int | float:

@@ -1,8 +1,9 @@
 """One plate of a hullplate document: its keys, and what they mean."""
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from functools import partial
+from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -28,6 +29,7 @@ from hullquad.surface import Bezier, Plane
 
 _ID = re.compile(r"[\w.\-]{1,64}")
 _MOST_DIVISIONS = 100_000
+_MOST_TOLD = 20
 _AS_THEY_ARE = ("id", "title", "drawing", "notes", "thickness", "material", "outer", "target_size")
 _STAND_INS: dict[str, Any] = {
     "id": "",
@@ -49,7 +51,7 @@ _STAND_INS: dict[str, Any] = {
 _NO_PATCH = Bezier(np.zeros((2, 2, 3)))
 
 
-def plate(entry: Entry, length: float, angle: float, materials: set[str] | None) -> Plate:
+def plate(entry: Entry, length: float, angle: float, materials: Collection[str] | None) -> Plate:
     """Plate as far as it can be read; what is wrong is written down, and stands for something harmless.
 
     Parameters
@@ -58,8 +60,8 @@ def plate(entry: Entry, length: float, angle: float, materials: set[str] | None)
         The plate's object.
     length, angle : float
         Millimetres and radians per unit of the document.
-    materials : set of str, optional
-        Names of the document's materials, when it has any.
+    materials : collection of str, optional
+        Names of the document's materials, when they can be read.
 
     Raises
     ------
@@ -84,7 +86,7 @@ def _units(entry: Entry, length: float, angle: float) -> Units:
     return Units(1.0 if parametric else length, length, angle, parametric)
 
 
-def _table(units: Units, materials: set[str] | None) -> dict[str, Field]:
+def _table(units: Units, materials: Collection[str] | None) -> dict[str, Field]:
     """Every key of a plate, in the order in which missing ones are told."""
     size = Field(positive("E_SIZE", units.length))
     sizes = dict.fromkeys(("coarse", "fine", "very_fine"), size)
@@ -115,10 +117,11 @@ def _id(entry: Entry) -> str:
     return entry.value
 
 
-def _material(entry: Entry, materials: set[str] | None) -> str:
+def _material(entry: Entry, materials: Collection[str] | None) -> str:
     name = text(entry)
     if materials is not None and name not in materials:
-        raise entry.refused("E_MATERIAL", "unknown", shown=entry.shown, known=", ".join(map(ascii, sorted(materials))))
+        known = ", ".join([*map(ascii, islice(materials, _MOST_TOLD)), *["..."][: len(materials) > _MOST_TOLD]])
+        raise entry.refused("E_MATERIAL", "unknown" if known else "none", shown=entry.shown, known=known)
     return name
 
 

@@ -11,6 +11,9 @@ from hullquad.formats.hullplate.loop_entry import Units, vector
 from hullquad.surface import Bezier, Cylinder, Plane, Surface
 
 _ORTHONORMAL = 1e-6
+"""How far axes may be from unit length, and from square to each other."""
+_EXACT = 1e-14
+"""Axes as near as this to orthonormal are so but for rounding, and keep their bits."""
 
 
 def frame(units: Units) -> Callable[[Entry], Plane]:
@@ -24,12 +27,20 @@ def frame(units: Units) -> Callable[[Entry], Plane]:
     def read(entry: Entry) -> Plane:
         values = whole(entry, table)
         axes = np.stack([values["u"], values["v"]])
-        if np.abs(axes @ axes.T - np.eye(2)).max() > 2 * _ORTHONORMAL:
-            lengths = np.hypot.reduce(axes, axis=1)
-            raise entry.refused("E_FRAME", u=lengths[0], v=lengths[1], dot=float(axes[0] @ axes[1]))
-        return Plane(values["origin"], *axes)
+        lengths, dot = np.hypot.reduce(axes, axis=1), float(axes[0] @ axes[1])
+        if max(*np.abs(lengths - 1), abs(dot)) > _ORTHONORMAL:
+            raise entry.refused("E_FRAME", u=lengths[0], v=lengths[1], dot=dot)
+        return Plane(values["origin"], *_orthonormal(axes))
 
     return read
+
+
+def _orthonormal(axes: Floats) -> Floats:
+    """Nearest two axes of unit length and square to each other: documents have few decimals, planes need all."""
+    if np.abs(axes @ axes.T - np.eye(2)).max() <= _EXACT:
+        return axes
+    left, _, right = np.linalg.svd(axes, full_matrices=False)
+    return np.asarray(left @ right)
 
 
 def surface(entry: Entry, plane: Plane, units: Units) -> Surface:

@@ -1,0 +1,59 @@
+"""What will not be good in the mesh of a plate at one element size, told before there is a mesh."""
+
+from collections.abc import Iterator
+
+import numpy as np
+import shapely
+from scipy.spatial import cKDTree
+
+from hullquad.plate import Loop, Notice, Plate
+from hullquad.triangulation.contour import Contour
+
+_SHORT = 0.2
+_NEAR = 0.1
+"""Parts of the element size."""
+
+
+def division_concerns(contour: Contour) -> Iterator[Notice]:
+    """Warnings about a plate that is meshed from this contour."""
+    yield from size_concerns(contour.plate, contour.size)
+    if contour.triangles_unavoidable:
+        yield Notice("W_ODD", contour.plate.place, "", {"count": contour.edge_count, "size": contour.size})
+    for snap in contour.snaps:
+        u, v = snap.node
+        yield Notice("W_SNAP", snap.place, "", {"u": u, "v": v, "distance": snap.distance})
+    yield from _near_contour(contour)
+
+
+def size_concerns(plate: Plate, size: float) -> Iterator[Notice]:
+    """Those of the warnings that need no contour, so that curved plates have them too."""
+    if plate.is_parametric:
+        return  # no lengths before the surface can tell them
+    for loop in plate.loops:
+        yield from _short_edges(loop, _SHORT * size)
+    for hole, outline in zip(plate.holes, plate.outlines[1:], strict=True):
+        width = float(np.ptp(outline, axis=0).max())
+        if width < size - 2 * plate.chord_error:
+            yield Notice("W_SMALL_HOLE", hole.place, "", {"width": width, "size": size})
+
+
+def _near_contour(contour: Contour) -> Iterator[Notice]:
+    """Fixed nodes so near to the contour or to each other that the elements between them are slivers."""
+    rim = shapely.multilinestrings([shapely.linearrings(ring) for ring in contour.rings])
+    away = shapely.distance(rim, shapely.points(contour.inside))
+    if len(contour.inside) > 1:
+        away = np.minimum(away, np.asarray(cKDTree(contour.inside).query(contour.inside, k=2)[0])[:, 1])
+    for i in np.flatnonzero(away < _NEAR * contour.size):
+        u, v = contour.inside[i]
+        numbers = {"u": u, "v": v, "distance": float(away[i]), "size": contour.size}
+        yield Notice("W_NEAR", contour.inside_places[i], "", numbers)
+
+
+def _short_edges(loop: Loop, least: float) -> Iterator[Notice]:
+    """One warning per loop: the shortest edge, and how many there are."""
+    lengths = np.array([curve.length for curve in loop.curves])
+    count = int((lengths < least).sum())
+    if count:
+        shortest = int(np.lexsort((loop.edges, lengths))[0])
+        numbers = {"length": float(lengths[shortest]), "least": least, "count": count}
+        yield Notice("W_SHORT_EDGE", loop.edge_place(shortest), "", numbers)
