@@ -14,7 +14,7 @@ _EXACT = 1e-9  # a normal this near to a global axis, or plane, is meant to be i
 
 
 def placed(mesh: Mesh) -> Mesh:
-    """The mesh on its surface: the one it has, or the plane through all its nodes.
+    """The mesh on its surface: the one it has, or the plane through the nodes of its elements.
 
     Raises
     ------
@@ -29,15 +29,21 @@ def placed(mesh: Mesh) -> Mesh:
     return attrs.evolve(mesh, surface=plane, parameters=plane.parameters(mesh.points))
 
 
+def unplaced(mesh: Mesh) -> Mesh:
+    """The mesh without a surface: what it was before a plane was fitted to it."""
+    return attrs.evolve(mesh, surface=None, parameters=None)
+
+
 def fitted_plane(points: Floats, elements: Ints) -> Plane | None:
-    """The plane of the nodes, most elements counter-clockwise on it; None when the mesh is not flat.
+    """The plane of the elements' nodes, most elements counter-clockwise on it; None when the mesh is not flat.
 
     The origin is the foot of the global origin; `u` is the global x projected (y for a plane across x): a mesh
     drawn in x and y has these as parameters.
     """
-    centre = points.mean(axis=0)
-    normal = _tidied(np.linalg.svd(points - centre, full_matrices=False)[2][2])
-    if np.abs((points - centre) @ normal).max() > FLATNESS * diameter(points):
+    used = points[np.unique(elements[elements >= 0])]
+    centre = used.mean(axis=0)
+    normal = _tidied(np.linalg.svd(used - centre, full_matrices=False)[2][2])
+    if np.abs((used - centre) @ normal).max() > FLATNESS * diameter(used):
         return None
     a, b, c, d = (points[elements[:, i]] for i in range(4))
     d = np.where(elements[:, 3:] < 0, a, d)

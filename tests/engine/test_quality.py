@@ -6,7 +6,7 @@ import pytest
 
 from hullquad.metrics import metric
 from hullquad.quality import quality
-from hullquad.topology import reversed_elements, rim_states, topology
+from hullquad.topology import NodeState, half_edges, paired_sides, reversed_elements, rim_states, topology
 
 
 def test_worst_and_failing_follow_the_sense_of_the_metric(dented):
@@ -41,6 +41,19 @@ def test_an_element_against_its_neighbours_is_found(dented):
     elements[4] = elements[4][::-1]
     assert reversed_elements(elements).nonzero()[0].tolist() == [4]
     assert not reversed_elements(dented.topology.elements).any()
+
+
+def test_sides_are_paired_where_two_elements_meet():
+    elements = np.array([[0, 1, 4, 3], [1, 2, 5, 4], [1, 4, 6, -1], [4, 5, 7, -1]], dtype=np.int32)
+    sides, owners = half_edges(elements)
+    one, other = paired_sides(sides)
+    assert np.sort(sides[one], axis=1).tolist() == [[4, 5]]  # 1-4 has three elements
+    assert owners[[*one, *other]].tolist() == [1, 3]
+
+
+def test_nodes_without_elements_are_not_free():
+    states = rim_states(np.array([[0, 1, 2, -1], [0, 2, 4, -1], [0, 4, 1, -1]], dtype=np.int32), 6)
+    assert states.tolist() == [NodeState.FREE, *[NodeState.CONTOUR] * 2, NodeState.FIXED, 1, NodeState.FIXED]
 
 
 def test_parts_that_touch_nowhere_are_judged_apart():

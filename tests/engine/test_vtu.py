@@ -15,7 +15,7 @@ from hypothesis import strategies as some
 from hullquad.errors import HullquadError
 from hullquad.formats import vtu
 from hullquad.mesh import Mesh
-from hullquad.placement import fitted_plane, placed
+from hullquad.placement import fitted_plane, placed, unplaced
 from hullquad.surface import Plane
 from hullquad.topology import NodeState, Topology
 
@@ -275,11 +275,14 @@ def test_the_plane_of_a_bare_mesh_holds_its_nodes(plane):
     np.testing.assert_allclose(found.normal, plane.normal, atol=1e-9)
 
 
-def test_points_of_no_element_are_kept_as_free_nodes(file):
+@pytest.mark.parametrize("height", [0.0, 5.0])
+def test_points_of_no_element_are_kept_and_neither_moved_nor_looked_at(file, height):
     counts = 'NumberOfPoints="7" NumberOfCells="3"'
-    mesh = parsed(file(grid(counts=counts, points=points(POINTS + " 5 5 0"))))
-    assert mesh.topology.node_states[6] == NodeState.FREE
-    assert mesh.points[6].tolist() == [5.0, 5.0, 0.0]
+    mesh = placed(parsed(file(grid(counts=counts, points=points(f"{POINTS} 5 5 {height}")))))
+    assert mesh.topology.node_states[6] == NodeState.FIXED
+    assert mesh.points[6].tolist() == [5.0, 5.0, height]
+    assert mesh.surface.normal.tolist() == [0.0, 0.0, 1.0]
+    assert bits(unplaced(mesh).surface) is None
 
 
 def test_pixels_and_polygons_become_quads_and_triangles(file):
@@ -367,6 +370,7 @@ def with_array(text: str, name: str, content: str) -> str:
         ("lines", "1 0 5 1 1 inf", "E_VTU:not_finite"),
         ("thickness", "0", "E_VTU:length_value"),
         ("target size", "nan", "E_VTU:length_value"),
+        ("target size", "1e155", "E_VTU:length_value"),
         ("connectivity", "0 1 4 3 1 2 5 1 5 5", "E_MESH:double_node"),
     ],
 )

@@ -17,6 +17,7 @@ import numpy as np
 from hullquad.arrays import Bools, Floats, Ints, Longs, floats, ints
 from hullquad.metrics import metric
 from hullquad.metrics.values import judged_values
+from hullquad.topology import paired_sides
 
 LEAST_SCALED_JACOBIAN = 0.02
 LARGEST_ANGLE = 178.0
@@ -88,14 +89,11 @@ def pairs(points: Floats, triangles: Ints, normals: Floats, constraints: Ints | 
 def _common_edges(triangles: Ints, constraints: Ints | None) -> tuple[Longs, Longs, Longs, Longs]:
     """Triangles on both sides of every edge that may go, and the edge's place (0..2) in each."""
     sides = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2)
-    key = np.sort(sides, axis=1)
-    order = np.lexsort((key[:, 1], key[:, 0]))
-    twin = np.flatnonzero((key[order[1:]] == key[order[:-1]]).all(axis=1))
-    first, second = order[twin], order[twin + 1]
+    first, second = paired_sides(sides)
     if constraints is not None and len(constraints):
         nodes = int(triangles.max()) + 1
         kept = np.sort(constraints, axis=1) @ np.array([nodes, 1])
-        stays = np.isin(key[first] @ np.array([nodes, 1]), kept)
+        stays = np.isin(np.sort(sides[first], axis=1) @ np.array([nodes, 1]), kept)
         first, second = first[~stays], second[~stays]
     return first // 3, second // 3, first % 3, second % 3
 

@@ -9,8 +9,9 @@ import numpy as np
 import numpy.typing as npt
 
 from hullquad import worker
-from hullquad.arrays import Floats, Ints, Longs, floats, ints
+from hullquad.arrays import Floats, Ints, Longs, floats, ints, longs
 from hullquad.errors import MeshingError
+from hullquad.topology import paired_sides
 from hullquad.triangulation.refusals import expected_triangles, refuse_limits, refuse_too_many, sound_region
 from hullquad.triangulation.region import Region, box_around
 
@@ -126,19 +127,23 @@ def _refuse_disagreement(region: Region, nodes: Floats, triangles: Ints, place: 
     unused = np.bincount(triangles.ravel(), minlength=len(nodes)) == 0
     if unused.any():
         raise MeshingError("E_TRIANGLE", place, "unused", count=int(unused.sum()))
-    if not np.array_equal(_rim(triangles, len(nodes)), np.sort(region.edges @ [len(nodes), 1])):
+    if not np.array_equal(_sorted(_rim(triangles)), _sorted(region.edges)):
         raise MeshingError("E_TRIANGLE", place, "contour")
     areas = _areas(nodes[triangles])
     if not ((areas > 0).all() and np.isclose(areas.sum(), region.polygon.area, rtol=1e-9, atol=0)):
         raise MeshingError("E_TRIANGLE", place, "areas")
 
 
-def _rim(triangles: Ints, nodes: int) -> Longs:
-    """Sorted edges (first node times `nodes` plus second) of triangles that no neighbour runs the other way."""
-    ends = np.roll(triangles, -1, axis=1)
-    forth = (triangles.astype(np.int64) * nodes + ends).ravel()
-    back = (ends.astype(np.int64) * nodes + triangles).ravel()
-    return np.sort(np.setdiff1d(forth, back, assume_unique=True))
+def _rim(triangles: Ints) -> Ints:
+    """(R, 2) sides of triangles that no single neighbour runs the other way."""
+    sides = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2)
+    one, other = paired_sides(sides)
+    is_inner = sides[one, 0] == sides[other, 1]
+    return ints(np.delete(sides, np.concatenate([one[is_inner], other[is_inner]]), axis=0))
+
+
+def _sorted(sides: Ints | Longs) -> Longs:
+    return longs(sides[np.lexsort(sides.T)])
 
 
 def _areas(corners: Floats) -> Floats:

@@ -136,7 +136,7 @@ class _Reader:
 
     def length(self, name: str) -> float:
         value = float(reals(self._array(self.found.whole, name), 1, 1, self.file)[0, 0])
-        if not 0.0 < value < np.inf:
+        if not 0.0 < value <= imported.FARTHEST:
             raise self.file.refusal("length_value", name=name, found=value)
         return value
 
