@@ -301,7 +301,7 @@ ANSWERS = {
     one_short: "E_TRIANGLE:unused",
     one_hole_more: "E_TRIANGLE:contour",
     turned_over: "E_TRIANGLE:contour",
-    doubled: "E_TRIANGLE:areas",
+    doubled: "E_TRIANGLE:contour",
     folded: "E_TRIANGLE:areas",
 }
 
