@@ -40,6 +40,13 @@ def test_an_existing_file_keeps_its_permissions(old):
     assert (old.read_bytes(), stat.S_IMODE(old.stat().st_mode)) == (b"new", 0o640)
 
 
+def test_of_a_link_to_nowhere_the_missing_folder_is_told(tmp_path):
+    link = tmp_path / "link.vtu"
+    link.symlink_to(tmp_path / "gone" / "mesh.vtu")
+    with pytest.raises(FileError, match=f"no folder {tmp_path / 'gone'}"):
+        atomic.check(link)
+
+
 def test_of_a_link_the_target_is_replaced(old, tmp_path):
     folder = tmp_path / "elsewhere"
     folder.mkdir()

@@ -3,19 +3,26 @@
 import csv
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
+import time
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import attrs
 import numpy as np
 import pytest
 
+from hullquad import pipeline
 from hullquad.cli import main
-from hullquad.formats import read_mesh, write_mesh
+from hullquad.formats import read_mesh, read_plates
 from hullquad.metrics import METRICS
 from hullquad.topology import NodeState
+from hullquad.triangulation.contour import Contour, attempts
+from hullquad.triangulation.refusals import expected_triangles, sound_region
 
 PLATES = Path(__file__).parents[2] / "assets" / "plates"
 BAD = Path(__file__).parents[1] / "data" / "bad-plates"
@@ -43,16 +50,17 @@ def meshed(tmp_path, capsys) -> Path:
 
 
 @pytest.fixture
-def warped(tmp_path, dented) -> Path:
-    """A mesh of another program whose quads are not flat."""
-    points = dented.points + np.random.default_rng(3).uniform(0, 9, (16, 1)) * [0, 0, 1]
-    path = tmp_path / "warped.vtu"
-    write_mesh(attrs.evolve(dented, points=points, surface=None, parameters=None), path)
-    text = path.read_text(encoding="utf-8")
-    for name in ("hullquad version", "node state", "node line"):
-        text = text.replace(f'Name="{name}"', f'Name="foreign {name}"')
-    path.write_text(text, encoding="utf-8")
-    return path
+def several(tmp_path) -> Callable[..., Path]:
+    """Write the hopper partition several times into a document, each with what is changed in it."""
+
+    def write(*changes: dict[str, Any]) -> Path:
+        document = json.loads((PLATES / "hopper_partition.json").read_text(encoding="utf-8"))
+        document["plates"] = [document["plates"][0] | {"id": f"P{i}"} | change for i, change in enumerate(changes)]
+        path = tmp_path / "several.json"
+        path.write_text(json.dumps(document), encoding="utf-8")
+        return path
+
+    return write
 
 
 def test_a_plate_is_meshed_and_its_figures_are_told(tmp_path, capsys):
@@ -90,7 +98,7 @@ def test_a_block_is_written_plate_by_plate_and_the_curved_one_refused(tmp_path, 
         capsys, "mesh", PLATES / "hopper_block.json", "-o", out, "--json", "--optimizer", "none"
     )
     assert code == 1
-    assert complaints.startswith("error E_CURVED at BL: curved surfaces: not yet")
+    assert complaints.startswith("error E_CURVED at /plates/2: plate BL: curved surfaces: not yet")
     assert complaints.count("\n") == 1
     written = {path.name for path in tmp_path.iterdir()}
     plates = [figures["plate"] for figures in json.loads(printed)]
@@ -140,6 +148,10 @@ def test_a_file_that_is_none_is_one_message(command, content, tmp_path, capsys):
         ["mesh", "plate.json", "-o", "out.stl"],
         ["mesh", "plate.json", "-o", "out.vtu", "--size", "0"],
         ["mesh", "plate.json", "-o", "out.vtu", "--size", "nan"],
+        ["mesh", "plate.json", "-o", "out.vtu", "--size", "1e155"],
+        ["mesh", "plate.json", "-o", ""],
+        ["quality", "mesh.vtu", "--csv", "-", "--json"],
+        ["quality", "mesh.vtu", "--csv", ""],
         ["mesh", "plate.json", "-o", "out.vtu", "--metric", "beauty"],
         ["optimize", "mesh.vtu", "-o", "out.vtu", "--iterations", "-1"],
         ["optimize", "mesh.vtu", "-o", "out"],
@@ -197,17 +209,6 @@ def test_without_the_guard_inverted_elements_are_told(tmp_path, capsys):
     assert f"inverted elements: {figures['inverted']}" in run(capsys, *arguments)[1]
 
 
-def test_warped_quads_of_another_program_are_judged_but_not_yet_optimised(warped, tmp_path, capsys):
-    code, printed, _ = run(capsys, "quality", warped, "--json")
-    assert code == 0
-    figures = json.loads(printed)
-    assert (figures["quads"], figures["inverted"], figures["triangles_unavoidable"]) == (9, 0, None)
-    assert figures["metrics"].keys() == {row.key for row in METRICS}
-    code, _, complaints = run(capsys, "optimize", warped, "-o", tmp_path / "out.vtu")
-    assert code == 1
-    assert "curved surfaces: not yet" in complaints
-
-
 def test_quality_has_a_row_for_each_element(meshed, tmp_path, capsys):
     table = tmp_path / "table.csv"
     assert run(capsys, "quality", meshed, "--csv", table)[0] == 0
@@ -250,15 +251,150 @@ def test_a_plate_that_crashes_triangle_does_not_stop_the_next(tmp_path, capsys, 
 
     def crash_once(contour, input_hash):
         if contour.plate.id == "B2":
-            raise WorkerError("E_CRASH", "B2", ending="signal 11")
+            raise WorkerError("E_CRASH", contour.plate.place, ending="signal 11")
         return mesh_really(contour, input_hash)
 
     monkeypatch.setattr(pipeline, "paper_mesh", crash_once)
     out = tmp_path / "block.vtu"
     code, _, complaints = run(capsys, "mesh", PLATES / "hopper_block.json", "-o", out, "--optimizer", "none")
     assert code == 1
-    assert "error E_CRASH at B2" in complaints
+    (crash,) = [line for line in complaints.splitlines() if "E_CRASH" in line]
+    assert re.match(r"error E_CRASH at /plates/\d+: plate B2: the computation crashed", crash)
     assert len(list(tmp_path.iterdir())) == 12
+
+
+def test_a_bad_plate_is_refused_and_the_others_are_meshed(several, tmp_path, capsys):
+    plates = several({"thickness": 0, "target_size": 0}, {}, {"outer": []}, {"thickness": 7})
+    out = tmp_path / "out.vtu"
+    code, printed, complaints = run(capsys, "mesh", plates, "-o", out, "--optimizer", "none", "--json")
+    assert code == 1
+    assert [figures["plate"] for figures in json.loads(printed)] == ["P1", "P3"]
+    first, second = complaints.splitlines()
+    assert re.match(r"error E_THICKNESS at /plates/0/thickness: plate P0: .*\(and 1 more error\)$", first)
+    assert second.startswith("error E_OUTER at /plates/2/outer: plate P2: ")
+    assert sorted(path.name for path in tmp_path.glob("*.vtu")) == ["out-P1.vtu", "out-P3.vtu"]
+
+
+def test_a_plate_asked_for_does_not_suffer_from_the_others(several, tmp_path, capsys):
+    plates = several({"thickness": 0}, {})
+    out = tmp_path / "out.vtu"
+    arguments = ["mesh", plates, "-o", out, "--optimizer", "none", "--json", "--plate"]
+    code, printed, complaints = run(capsys, *arguments, "P1")
+    assert (code, complaints, json.loads(printed)["plate"]) == (0, "", "P1")
+    out.unlink()
+    code, printed, complaints = run(capsys, *arguments, "P0")
+    assert (code, printed, complaints.count("\n"), out.exists()) == (1, "", 1, False)
+
+
+def test_what_concerns_the_whole_document_refuses_all_plates(several, tmp_path, capsys):
+    plates = several({}, {"id": "P0"})
+    code, printed, complaints = run(capsys, "mesh", plates, "-o", tmp_path / "out.vtu")
+    assert (code, printed, complaints.count("\n")) == (1, "", 1)
+    assert complaints.startswith("error E_DUP_ID at /plates/1/id")
+    assert not list(tmp_path.glob("*.vtu"))
+
+
+def test_a_plate_of_several_that_alone_is_sound_is_still_listed(several, tmp_path, capsys):
+    _, printed, _ = run(capsys, "mesh", several({}, {"thickness": 0}), "-o", tmp_path / "out.vtu", "--json")
+    assert [figures["plate"] for figures in json.loads(printed)] == ["P0"]
+
+
+def test_warnings_are_those_of_the_size_asked_for(several, tmp_path, capsys):
+    plates, out = several({}), tmp_path / "out.vtu"
+    codes = {}
+    for size in ("790", "800"):
+        _, _, complaints = run(capsys, "mesh", plates, "-o", out, "--size", size, "--optimizer", "none")
+        codes[size] = re.findall(r"W_ODD.* with segments of (\d+) mm", complaints)
+    assert codes == {"790": ["790"], "800": []}
+
+
+@pytest.mark.parametrize("size", ["1", "0.001"])
+def test_too_small_a_size_is_told_one_that_works(size, tmp_path, capsys):
+    plate, out = PLATES / "hopper_block.json", tmp_path / "out.vtu"
+    code, _, complaints = run(capsys, "mesh", plate, "-o", out, "--plate", "G2", "--size", size)
+    assert code == 1
+    told = re.match(r"error E_TOO_BIG at --size: plate G2: .* choose (\S+) mm or more", complaints)[1]
+    contour = attempts(read_plates(plate), float(told))["G2"]
+    assert isinstance(contour, Contour)
+    assert pipeline_limit_holds(contour)
+
+
+def pipeline_limit_holds(contour: Contour) -> bool:
+    region = sound_region(contour.nodes, contour.loop_starts, "")
+    return expected_triangles(region, pipeline.TRIANGLE_AREA * contour.size**2) < pipeline._MOST_TRIANGLES
+
+
+def test_the_kernels_are_loaded_once_for_all_plates(several, tmp_path, capsys, monkeypatch):
+    prepared = []
+    prepare = pipeline.prepare
+    monkeypatch.setattr(pipeline, "prepare", lambda: prepared.append(prepare()))
+    _, printed, _ = run(capsys, "mesh", several({}, {}), "-o", tmp_path / "out.vtu", "--json", "--iterations", "1")
+    assert len(prepared) == 1
+    first, second = (figures["seconds"] for figures in json.loads(printed))
+    assert first["prepare"] > second["prepare"] == 0
+    assert min(first["mesh"], second["mesh"], second["optimize"]) > 0
+
+
+def test_judging_is_not_counted_as_preparing(meshed, capsys):
+    _, printed, _ = run(capsys, "quality", meshed, "--json")
+    assert list(json.loads(printed)["seconds"]) == ["import", "prepare", "judge"]
+
+
+def command(*arguments: object) -> list[str]:
+    return [sys.executable, "-m", "hullquad", *map(str, arguments)]
+
+
+def test_a_reader_who_leaves_does_not_stop_the_work(several, tmp_path):
+    arguments = command("mesh", several(*[{}] * 12), "-o", tmp_path / "m.vtu", "--optimizer", "none")
+    running = subprocess.Popen(arguments, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    running.stdout.readline()
+    running.stdout.close()
+    assert running.stderr.read().count(b"error") == 0
+    assert running.wait(60) == 0
+    assert len(list(tmp_path.glob("*.vtu"))) == 12
+    running.stderr.close()
+
+
+@pytest.mark.parametrize(("redirected", "code"), [(">&-", 0), ("2>&-", 0), (">&- 2>&- <&-", 0), (">/dev/full", 1)])
+def test_streams_that_are_closed_or_full_do_not_stop_the_work(redirected, code, meshed, tmp_path):
+    out = tmp_path / "out.vtu"
+    arguments = command("optimize", meshed, "-o", out, "--iterations", "1")
+    done = subprocess.run(["sh", "-c", f'"$@" {redirected}', "sh", *arguments], capture_output=True)
+    assert done.returncode == code
+    assert len(read_mesh(out).points)
+    said = done.stderr.decode().splitlines()
+    assert [line.startswith("error E_FILE at standard output: ") for line in said] == [True] * code
+
+
+def test_help_to_a_full_disk_is_one_message():
+    done = subprocess.run(["sh", "-c", '"$@" >/dev/full', "sh", *command("--help")], capture_output=True)
+    assert (done.returncode, done.stderr.count(b"\n")) == (1, 1)
+
+
+@pytest.mark.parametrize("encoding", ["ascii", "cp1252", "utf-8"])
+def test_every_name_can_be_printed_in_every_encoding(encoding, several, tmp_path):
+    out = tmp_path / "out.vtu"
+    arguments = command("mesh", several({"id": "ГÖ_Ω"}), "-o", out, "--optimizer", "none")
+    done = subprocess.run(arguments, capture_output=True, env={**os.environ, "PYTHONIOENCODING": encoding})
+    assert (done.returncode, done.stderr) == (0, b"")
+    assert out.exists()
+    assert done.stdout.startswith("ГÖ_Ω: ".encode(encoding, "backslashreplace"))
+
+
+@pytest.mark.parametrize("after", [0.15, 0.3, 0.45, 0.6])
+def test_an_interrupt_while_libraries_load_is_quiet(after, tmp_path):
+    arguments = command("mesh", PLATES / "hopper_block.json", "-o", tmp_path / "out.vtu", "--size", "fine")
+    running = subprocess.Popen(
+        arguments,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
+    )
+    time.sleep(after)
+    running.send_signal(signal.SIGINT)
+    _, complaints = running.communicate(timeout=60)
+    lines = complaints.decode().splitlines()
+    assert (running.returncode, [line for line in lines if not line.startswith("warning W_ODD")]) == (130, [])
 
 
 def test_an_interrupted_command_writes_nothing(tmp_path):

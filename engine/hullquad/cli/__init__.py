@@ -1,28 +1,46 @@
 """The engine's commands: mesh, optimize, quality."""
 
-import os
-import sys
 from collections.abc import Sequence
 
-from hullquad.cli.arguments import parser
-from hullquad.cli.output import complain
-from hullquad.errors import HullquadError
+from hullquad.cli.interrupt import INTERRUPTED, ending_at_once
+from hullquad.cli.streams import Stream, sturdy_streams
+from hullquad.errors import FileError, HullquadError
 
-DONE, REFUSED, USAGE, INTERRUPTED = 0, 1, 2, 130
+DONE, REFUSED, USAGE = 0, 1, 2
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Run a command; the exit code: 0 done, 1 refused, 2 wrong usage, 130 interrupted."""
     try:
-        options = parser().parse_args(arguments)
-        refused: bool = options.command(options)
-        sys.stdout.flush()
+        with ending_at_once():
+            import hullquad.cli.arguments  # noqa: F401, PLC0415  brings all others: half a second
+
+        with sturdy_streams() as output:
+            return max(_run(arguments), _lost(output))
+    except KeyboardInterrupt:
+        return INTERRUPTED
+
+
+def _run(arguments: Sequence[str] | None) -> int:
+    from hullquad.cli.arguments import options_of  # noqa: PLC0415
+    from hullquad.cli.output import complain  # noqa: PLC0415
+
+    try:
+        options = options_of(arguments)
+        return REFUSED if options.command(options) else DONE
     except HullquadError as error:
         complain(error)
         return USAGE if error.code == "E_SUFFIX" and error.case == "write_mesh" else REFUSED
-    except KeyboardInterrupt:
-        return INTERRUPTED
-    except BrokenPipeError:  # whoever read the output has had enough of it
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    except SystemExit as end:  # argparse has said what is wrong, or what was asked for
+        return int(end.code or DONE)
+
+
+def _lost(output: Stream) -> int:
+    """Exit code by what could not be printed."""
+    from hullquad.cli.output import complain  # noqa: PLC0415
+
+    output.flush()
+    if output.loss is None:
         return DONE
-    return REFUSED if refused else DONE
+    complain(FileError("E_FILE", "standard output", "output", reason=output.loss.strerror or str(output.loss)))
+    return REFUSED

@@ -1,7 +1,7 @@
 """What may stand on the command line, with its help."""
 
-from argparse import ArgumentParser, ArgumentTypeError, RawDescriptionHelpFormatter
-from math import isfinite
+from argparse import ArgumentParser, ArgumentTypeError, Namespace, RawDescriptionHelpFormatter
+from collections.abc import Sequence
 from pathlib import Path
 
 from hullquad import __version__
@@ -10,6 +10,7 @@ from hullquad.cli.judging import judge_mesh
 from hullquad.metrics import METRICS
 
 SIZES = ("coarse", "fine", "very_fine")
+_LARGEST = 1e9
 
 _EXIT_CODES = "exit codes: 0 done, 1 refused input, 2 wrong usage, 130 interrupted"
 
@@ -27,6 +28,15 @@ def parser() -> ArgumentParser:
     _add_optimize(_command(commands, "optimize", "improve a mesh by moving its free nodes"))
     _add_quality(_command(commands, "quality", "judge a mesh by every metric"))
     return root
+
+
+def options_of(arguments: Sequence[str] | None) -> Namespace:
+    """What was asked for; wrong usage is told, and ends the program."""
+    root = parser()
+    options = root.parse_args(arguments)
+    if getattr(options, "csv", None) == "-" and options.json:
+        root.error("--csv - and --json both want standard output; give --csv the name of a file")
+    return options
 
 
 def _command(commands: object, name: str, title: str) -> ArgumentParser:
@@ -74,7 +84,9 @@ def _add_optimize(command: ArgumentParser) -> None:
 def _add_quality(command: ArgumentParser) -> None:
     command.set_defaults(command=judge_mesh)
     command.add_argument("input", type=Path, metavar="MESH", help="mesh file (.vtu)")
-    command.add_argument("--csv", metavar="FILE|-", help="one row per element, to a file or to standard output")
+    command.add_argument(
+        "--csv", type=_file_name, metavar="FILE|-", help="one row per element, to a file or to standard output"
+    )
     command.add_argument("--json", action="store_true", help="print one JSON object")
 
 
@@ -106,9 +118,17 @@ def _size(text: str) -> float | str:
         size = float(text)
     except ValueError:
         size = 0.0
-    if not (isfinite(size) and size > 0):
-        raise ArgumentTypeError(f"'{text}' is neither a length above 0 in mm nor one of {', '.join(SIZES)}")
+    if not 0 < size <= _LARGEST:
+        raise ArgumentTypeError(
+            f"'{text}' is neither a length above 0 and up to {_LARGEST:g} mm nor one of {', '.join(SIZES)}"
+        )
     return size
+
+
+def _file_name(text: str) -> str:
+    if not text:
+        raise ArgumentTypeError("the name of the file is empty")
+    return text
 
 
 def _count(text: str) -> int:

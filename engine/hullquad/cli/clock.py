@@ -20,6 +20,8 @@ class Clock:
         finally:
             self.seconds[part] += perf_counter() - start
 
-    def rounded(self) -> dict[str, float]:
-        """Seconds to the tenth of a millisecond."""
-        return {part: round(seconds, 4) for part, seconds in self.seconds.items()}
+    def taken(self) -> dict[str, float]:
+        """Seconds to the tenth of a millisecond since they were asked for the last time."""
+        taken = {part: round(seconds, 4) for part, seconds in self.seconds.items()}
+        self.seconds = dict.fromkeys(taken, 0.0)
+        return taken

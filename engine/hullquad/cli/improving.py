@@ -1,83 +1,110 @@
 """The commands mesh and optimize: plates or a mesh in, better meshes out."""
 
 from argparse import Namespace
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+import attrs
+
 from hullquad import pipeline, worker
 from hullquad.cli.clock import Clock
+from hullquad.cli.loading import load
 from hullquad.cli.output import complain, progress, say, say_json, warn
 from hullquad.cli.report import run_figures, run_text
-from hullquad.errors import HullquadError, MeshingError, PlateError
-from hullquad.formats import check_output, read_mesh, read_plates, write_mesh
+from hullquad.errors import FileError, HullquadError, MeshError, MeshingError, PlateError
+from hullquad.formats import check_output, read_mesh, survey_plates, write_mesh
 from hullquad.mesh import Mesh
 from hullquad.metrics import metric
-from hullquad.optimization.iterate import Outcome
-from hullquad.placement import placed
-from hullquad.plate import Document, Plate
+from hullquad.optimization.iterate import Iterate, Outcome
+from hullquad.placement import placed, unplaced
+from hullquad.plate import Document, Notice, Plate, Refusal
+from hullquad.quality import quality
+from hullquad.triangulation.concerns import division_concerns
 from hullquad.triangulation.contour import Contour, attempts
+
+_Outcomes = dict[str, Contour | PlateError]
 
 
 def mesh_plates(options: Namespace) -> bool:
     """Mesh every plate of a document, or one, and improve the meshes; whether any plate was refused."""
     check_output(options.output)
     worker.start()
-    document = read_plates(options.input)
-    plates = _chosen(document, options.plate)
-    for notice in document.warnings:
-        if any(_is_within(notice.place, plate.place) for plate in plates):
-            warn(notice)
+    document, refusals = survey_plates(options.input)
+    plates, refused = _chosen(document, refusals, options.plate)
+    for refusal in refused:
+        complain(refusal.error.concerning(refusal.plate_id))
     contours = attempts(document, options.size)
-    results: list[dict[str, Any]] = []
     for plate in plates:
-        output = options.output if len(document.plates) == 1 or options.plate else _beside(options.output, plate)
-        try:
-            results.append(_mesh_plate(plate, contours.get(plate.id), document.input_hash, output, options))
-        except HullquadError as error:
-            complain(error)
-    if options.json:
-        say_json(results[0] if results and len(plates) == 1 else results)
-    return len(results) < len(plates)
+        _warn(document.warnings, plate, contours.get(plate.id))
+    is_alone = options.plate is not None or len(document.plates) + len(refusals) == 1
+    results = _results(plates, contours, document.input_hash, options, is_alone=is_alone)
+    if options.json and not is_alone:
+        say_json(results)
+    elif options.json and results:
+        say_json(results[0])
+    return len(results) < len(plates) + len(refused)
 
 
 def optimize_mesh(options: Namespace) -> bool:
     """Improve a mesh; never refuses a part of it."""
     check_output(options.output)
-    clock = Clock("import", "prepare", "mesh", "optimize")
-    mesh = placed(read_mesh(options.input))
-    figures = _improve_and_write(mesh, options.output, options, clock)
+    given = read_mesh(options.input)
+    try:
+        mesh = placed(given)
+    except MeshError as error:
+        raise error.at(str(options.input)) from error
+    clock = _clock()
+    load(clock)
+    with clock.running("optimize"):
+        run = _improved(mesh, options)
+    figures = _written(run if given.surface is not None else _bare(run), options.output, options, clock)
     if options.json:
         say_json(figures)
     return False
 
 
-def _mesh_plate(
-    plate: Plate, contour: Contour | PlateError | None, input_hash: str, output: Path, options: Namespace
-) -> dict[str, Any]:
-    """Mesh one plate, improve and write the mesh; its figures."""
+def _results(
+    plates: Sequence[Plate], contours: _Outcomes, input_hash: str, options: Namespace, *, is_alone: bool
+) -> list[dict[str, Any]]:
+    """Figures of the plates that could be meshed; of the others it is told why not."""
+    clock = _clock()
+    if any(isinstance(contours.get(plate.id), Contour) for plate in plates):
+        load(clock)
+    results: list[dict[str, Any]] = []
+    for plate in plates:
+        output = options.output if is_alone else _beside(options.output, plate)
+        try:
+            contour = _usable(plate, contours.get(plate.id), options.size)
+            check_output(output)
+            results.append(_mesh_plate(contour, input_hash, output, options, clock))
+        except FileError as error:
+            complain(error)
+        except HullquadError as error:
+            complain(error.concerning(plate.id))
+    return results
+
+
+def _usable(plate: Plate, contour: Contour | PlateError | None, size: float | str | None) -> Contour:
+    """The contour to be meshed; raises why there is none."""
     if contour is None:
-        raise MeshingError("E_CURVED", plate.id)
+        raise MeshingError("E_CURVED", plate.place)
     if isinstance(contour, PlateError):
-        raise contour
-    check_output(output)
+        is_of_size = size is not None and contour.place == plate.place
+        raise contour.at("--size") if is_of_size else contour
+    return contour
+
+
+def _mesh_plate(contour: Contour, input_hash: str, output: Path, options: Namespace, clock: Clock) -> dict[str, Any]:
+    """Mesh one plate, improve and write the mesh; its figures."""
     if not options.json:
-        say(f"{plate.id}: {contour.edge_count} contour edges, unavoidable triangles: {contour.triangles_unavoidable}")
-    clock = Clock("import", "prepare", "mesh", "optimize")
-    _load(clock)
+        edges, unavoidable = contour.edge_count, contour.triangles_unavoidable
+        say(f"{contour.plate.id}: {edges} contour edges, unavoidable triangles: {unavoidable}")
     with clock.running("mesh"):
         mesh = pipeline.paper_mesh(contour, input_hash)
-    return _improve_and_write(mesh, output, options, clock)
-
-
-def _improve_and_write(mesh: Mesh, output: Path, options: Namespace, clock: Clock) -> dict[str, Any]:
-    _load(clock)
     with clock.running("optimize"):
         run = _improved(mesh, options)
-    write_mesh(run.best.mesh, output)
-    if not options.json:
-        say(run_text(run))
-        say(f"  written to {output}")
-    return {**run_figures(run), "seconds": clock.rounded()}
+    return _written(run, output, options, clock)
 
 
 def _improved(mesh: Mesh, options: Namespace) -> Outcome:
@@ -92,26 +119,50 @@ def _improved(mesh: Mesh, options: Namespace) -> Outcome:
         return pipeline.improved(paper_iterates(mesh, chosen, settings), bar.show)
 
 
-def _load(clock: Clock) -> None:
-    """Have the compiled kernels ready, so that their loading is not counted as work."""
-    with clock.running("import"):
-        import numba  # noqa: F401, PLC0415
-    with clock.running("prepare"):
-        pipeline.prepare()
+def _bare(run: Outcome) -> Outcome:
+    """The run as one sees it without the plane that was fitted to the mesh, which is in neither of its files."""
+    return Outcome(first=_rejudged(run.first), best=_rejudged(run.best), last=_rejudged(run.last))
 
 
-def _chosen(document: Document, plate_id: str | None) -> list[Plate]:
+def _rejudged(iterate: Iterate) -> Iterate:
+    mesh = unplaced(iterate.mesh)
+    return attrs.evolve(iterate, mesh=mesh, quality=quality(mesh, iterate.quality.metric))
+
+
+def _written(run: Outcome, output: Path, options: Namespace, clock: Clock) -> dict[str, Any]:
+    """Write the best mesh of a run; its figures."""
+    write_mesh(run.best.mesh, output)
+    if not options.json:
+        say(run_text(run))
+        say(f"  written to {output}")
+    return {**run_figures(run), "seconds": clock.taken()}
+
+
+def _clock() -> Clock:
+    return Clock("import", "prepare", "mesh", "optimize")
+
+
+def _chosen(
+    document: Document, refusals: Sequence[Refusal], plate_id: str | None
+) -> tuple[Sequence[Plate], Sequence[Refusal]]:
+    """Sound and refused plates that were asked for."""
     if plate_id is None:
-        return list(document.plates)
-    chosen = [plate for plate in document.plates if plate.id == plate_id]
-    if not chosen:
-        known = ", ".join(plate.id for plate in document.plates)
-        raise PlateError("E_PLATE", "--plate", id=plate_id, known=known)
-    return chosen
+        return document.plates, refusals
+    plates = [plate for plate in document.plates if plate.id == plate_id]
+    refused = [refusal for refusal in refusals if refusal.plate_id == plate_id]
+    if not plates and not refused:
+        known = [*(plate.id for plate in document.plates), *(refusal.plate_id for refusal in refusals)]
+        raise PlateError("E_PLATE", "--plate", id=plate_id, known=", ".join(filter(None, known)))
+    return plates, refused
 
 
-def _is_within(place: str, plate: str) -> bool:
-    return place == plate or place.startswith(plate + "/") or not place.startswith("/plates/")
+def _warn(notices: Sequence[Notice], plate: Plate, contour: Contour | PlateError | None) -> None:
+    """Tell of what the document says of a plate, and of what its contour is like."""
+    for notice in notices:
+        if notice.place == plate.place or notice.place.startswith(plate.place + "/"):
+            warn(notice)
+    for notice in division_concerns(contour) if isinstance(contour, Contour) else ():
+        warn(notice)
 
 
 def _beside(output: Path, plate: Plate) -> Path:

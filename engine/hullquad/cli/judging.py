@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from hullquad.cli.clock import Clock
+from hullquad.cli.loading import load
 from hullquad.cli.output import say, say_json
 from hullquad.cli.report import mesh_figures, metric_figures
 from hullquad.formats import atomic, read_mesh
@@ -21,10 +22,9 @@ from hullquad.quality import Quality, quality
 def judge_mesh(options: Namespace) -> bool:
     """Judge a mesh; never refuses a part of it."""
     mesh = read_mesh(options.input)
-    clock = Clock("import", "prepare")
-    with clock.running("import"):
-        import numba  # noqa: F401, PLC0415
-    with clock.running("prepare"):
+    clock = Clock("import", "prepare", "judge")
+    load(clock)
+    with clock.running("judge"):
         judged = {row.key: quality(mesh, row) for row in METRICS}
     if options.csv == "-":
         sys.stdout.writelines(_rows(mesh, judged))
@@ -33,7 +33,7 @@ def judge_mesh(options: Namespace) -> bool:
     if options.json:
         figures = mesh_figures(mesh, judged["stretch"])
         metrics = {key: metric_figures(mesh, by_key) for key, by_key in judged.items()}
-        say_json({**figures, "metrics": metrics, "seconds": clock.rounded()})
+        say_json({**figures, "metrics": metrics, "seconds": clock.taken()})
     elif options.csv != "-":
         say(_summary(mesh, judged))
     return False

@@ -69,7 +69,7 @@ class _Silence:
 @contextmanager
 def progress(title: str, total: int) -> Iterator[Progress | _Silence]:
     """A progress line for as long as the work takes."""
-    if sys.stderr is None or not sys.stderr.isatty():
+    if not sys.stderr.isatty():
         yield _Silence()
         return
     try:
@@ -79,5 +79,4 @@ def progress(title: str, total: int) -> Iterator[Progress | _Silence]:
 
 
 def _remark(text: str) -> None:
-    if sys.stderr is not None:
-        print(text, file=sys.stderr, flush=True)  # noqa: T201
+    print(text, file=sys.stderr, flush=True)  # noqa: T201

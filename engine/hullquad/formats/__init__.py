@@ -1,6 +1,6 @@
 """Files in and out: a table with one row per format, found by the ending of the file's name."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +10,7 @@ from hullquad.arrays import Floats
 from hullquad.errors import FileError
 from hullquad.formats import atomic, hullplate, vtu
 from hullquad.mesh import Mesh
-from hullquad.plate import Document
+from hullquad.plate import Document, Refusal
 
 
 @attrs.frozen(kw_only=True)
@@ -20,12 +20,13 @@ class Format:
     suffix: str
     title: str
     read_plates: Callable[[Path], Document] | None = None
+    survey_plates: Callable[[Path], tuple[Document, Sequence[Refusal]]] | None = None
     read_mesh: Callable[[Path], Mesh] | None = None
     write_mesh: Callable[[Mesh, Path, Mapping[str, Floats] | None], None] | None = None
 
 
 FORMATS = (
-    Format(suffix=".json", title="HullQuad plates", read_plates=hullplate.read),
+    Format(suffix=".json", title="HullQuad plates", read_plates=hullplate.read, survey_plates=hullplate.survey),
     Format(suffix=".vtu", title="VTK unstructured grid", read_mesh=vtu.read, write_mesh=vtu.write),
 )
 
@@ -40,6 +41,18 @@ def read_plates(path: Path) -> Document:
     """
     document: Document = _function("read_plates", path)(path)
     return document
+
+
+def survey_plates(path: Path) -> tuple[Document, Sequence[Refusal]]:
+    """The sound plates in a file, without warnings about any element size, and the refused ones.
+
+    Raises
+    ------
+    FileError, PlateError
+        No plates are read from files with this ending, or something is wrong that concerns every plate.
+    """
+    found: tuple[Document, Sequence[Refusal]] = _function("survey_plates", path)(path)
+    return found
 
 
 def read_mesh(path: Path) -> Mesh:

@@ -42,18 +42,19 @@ def check(path: Path) -> Path:
     """
     try:
         target = Path(path).resolve()
+        named = str(target.parent if Path(path).is_symlink() else Path(path).parent)
         mode = target.stat().st_mode if os.path.lexists(target) else None
         folder = target.parent.stat().st_mode
     except FileNotFoundError as error:
-        raise FileError("E_FILE", str(path), "no_folder", folder=str(Path(path).parent)) from error
+        raise FileError("E_FILE", str(path), "no_folder", folder=named) from error
     except (OSError, RuntimeError, ValueError) as error:  # a loop of links, a name with a null character
         raise FileError("E_FILE", str(path), "unwritable", reason=str(error)) from error
     if not stat.S_ISDIR(folder):
-        raise FileError("E_FILE", str(path), "no_folder", folder=str(Path(path).parent))
+        raise FileError("E_FILE", str(path), "no_folder", folder=named)
     if mode is not None and not stat.S_ISREG(mode):
         raise FileError("E_FILE", str(path), "folder" if stat.S_ISDIR(mode) else "special")
     if not os.access(target.parent, os.W_OK | os.X_OK):
-        raise FileError("E_FILE", str(path), "protected_folder", folder=str(Path(path).parent))
+        raise FileError("E_FILE", str(path), "protected_folder", folder=named)
     if mode is not None and not os.access(target, os.W_OK):
         raise FileError("E_FILE", str(path), "protected")
     return target

@@ -16,6 +16,7 @@ from hullquad.formats.hullplate.concerns import concerns
 from hullquad.formats.hullplate.defects import defects, size_defects
 from hullquad.formats.hullplate.entry import Entry, Field, Refused, anything, fields, positive, text, whole
 from hullquad.formats.hullplate.json_text import Positions, decode
+from hullquad.formats.hullplate.plate_entry import is_id
 from hullquad.formats.hullplate.plate_entry import plate as plate_of
 from hullquad.formats.source import content
 from hullquad.plate import Document, Material, Notice, Plate, Refusal
@@ -92,8 +93,7 @@ def _refusals(faults: Sequence[PlateError], plates: list[Any]) -> Iterator[Refus
     for number, group in groupby(faults, key=lambda fault: int(fault.place.split("/")[2])):
         first, *others = group
         name = plates[number].get("id") if isinstance(plates[number], dict) else None
-        plate_id = name if isinstance(name, str) else ""
-        yield Refusal(plate_id, f"/plates/{number}", first.among(len(others)))
+        yield Refusal(str(name) if is_id(name) else "", f"/plates/{number}", first.among(len(others)))
 
 
 def _at_target_size(document: Document) -> Iterator[Notice]:

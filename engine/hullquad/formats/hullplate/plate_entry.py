@@ -80,6 +80,11 @@ def plate(entry: Entry, length: float, angle: float, materials: Collection[str] 
     return _assembled(entry, _STAND_INS | values, units)
 
 
+def is_id(value: Any) -> bool:
+    """Whether a value of a document can be the id of a plate."""
+    return isinstance(value, str) and _ID.fullmatch(value) is not None
+
+
 def _units(entry: Entry, length: float, angle: float) -> Units:
     """Units of the plate; the coordinates of a Bezier patch are no lengths."""
     parametric = is_bezier(entry.value)
@@ -112,9 +117,9 @@ def _table(units: Units, materials: Collection[str] | None) -> dict[str, Field]:
 
 
 def _id(entry: Entry) -> str:
-    if not isinstance(entry.value, str) or not _ID.fullmatch(entry.value):
+    if not is_id(entry.value):
         raise entry.refused("E_ID", shown=entry.shown)
-    return entry.value
+    return str(entry.value)
 
 
 def _material(entry: Entry, materials: Collection[str] | None) -> str:
