@@ -32,5 +32,6 @@ def show(files: Sequence[str]) -> int:
     if files:
         QTimer.singleShot(0, partial(window.filing.open, Path(files[0])))
     code = application.exec()
+    window.stop()
     faults.release()
     return code

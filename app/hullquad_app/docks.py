@@ -5,7 +5,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QDockWidget, QMainWindow, QScrollArea, QWidget
 
 from hullquad_app.canvas import Canvas
-from hullquad_app.colours import Palette
+from hullquad_app.colours import ColourMap, Palette
 from hullquad_app.document import Scene
 from hullquad_app.panels.meshing import MeshingPanel
 from hullquad_app.panels.objective import ObjectivePanel
@@ -32,7 +32,7 @@ class Docks(QObject):
             for name, title, panel in (
                 ("quality", self.tr("Quality distribution"), self.quality),
                 ("objective", self.tr("Objective history"), self.objective),
-                ("search", self.tr("Search"), self.search),
+                ("search", self.tr("Search settings"), self.search),
                 ("worst", self.tr("Worst elements"), self.worst),
                 ("meshing", self.tr("Mesh"), self.meshing),
                 ("plates", self.tr("Plates"), self.plates),
@@ -60,14 +60,18 @@ class Docks(QObject):
         before, self._shown = self._shown, scene
         for panel in (self.quality, self.objective, self.worst, self.meshing, self.search, self.plates):
             panel.show_scene(scene)
+        if scene.state.keys != before.state.keys:
+            self._docks["plates"].setVisible(len(scene.state.keys) > 1)
         if (scene.mesh is None) != (before.mesh is None) or scene.state.plates is not before.state.plates:
             self._docks["meshing" if scene.mesh is None and scene.plate is not None else "worst"].raise_()
             self._docks["objective"].raise_()
 
-    def set_palette(self, palette: Palette) -> None:
-        """Take the colours of a theme."""
-        for panel in (self.quality, self.objective, self.worst, self.meshing, self.search, self.plates):
-            panel.set_palette(palette)
+    def set_palette(self, palette: Palette, chosen: ColourMap) -> None:
+        """Take the colours of a theme, and the map by which elements are coloured."""
+        for panel in (self.quality, self.objective, self.worst, self.plates):
+            panel.set_palette(palette, chosen)
+        for form in (self.meshing, self.search):
+            form.set_palette(palette)
 
     def connect_to(self, session: Session, canvas: Canvas) -> None:
         """Pass on what the user wants in the panels."""

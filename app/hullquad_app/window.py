@@ -11,7 +11,8 @@ from hullquad_app import theme
 from hullquad_app.about import About
 from hullquad_app.actions import FILE, VIEW, Actions
 from hullquad_app.canvas import Canvas
-from hullquad_app.colours import Theme
+from hullquad_app.colour_menu import ColourMenu
+from hullquad_app.colours import LIGHT, ColourMap, Theme
 from hullquad_app.docks import Docks
 from hullquad_app.document import Scene
 from hullquad_app.filing import Filing
@@ -40,12 +41,12 @@ class MainWindow(QMainWindow):
         self.messages, self.choices = MessageBar(), Choices()
         self.docks, self.history, self.status = Docks(self), HistoryBar(), StatusBar()
         self.actions_by_name = Actions(self._targets(), self)
-        self._middle = QStackedWidget()
+        self._middle, self._colours = QStackedWidget(), ColourMenu(self)
         self._may_close = False
         self.setAcceptDrops(True)
         self._arrange()
         self._connect()
-        self._is_dark = False
+        self._palette = LIGHT
         self.apply_theme(Theme(session.settings.theme))
         self._restore()
         self.show_scene(session.document.scene)
@@ -56,6 +57,11 @@ class MainWindow(QMainWindow):
             self.docks.set_width()
         self.canvas.start()
         self.session.prepare()
+
+    def stop(self) -> None:
+        """End threads and worker, then the view, in this order; what is stopped already stays so."""
+        self.session.stop_and_wait()
+        self.canvas.stop()
 
     def show_scene(self, scene: Scene) -> None:
         """Show a scene everywhere."""
@@ -68,14 +74,19 @@ class MainWindow(QMainWindow):
 
     def apply_theme(self, chosen: Theme) -> None:
         """Take a theme."""
-        palette = theme.apply(chosen)
-        self._is_dark = palette.is_dark
-        for dressed in (self.canvas, self.docks, self.history, self.status, self.messages, self.actions_by_name):
-            dressed.set_palette(palette)
+        self._palette = theme.apply(chosen)
+        for dressed in (self.canvas, self.history, self.status, self.messages, self.actions_by_name):
+            dressed.set_palette(self._palette)
+        self.docks.set_palette(self._palette, self._colours.chosen)
+
+    def colour_by(self, chosen: ColourMap) -> None:
+        """Colour elements, histogram and swatches by another map."""
+        self.canvas.set_colour_map(chosen)
+        self.docks.set_palette(self._palette, chosen)
 
     def toggle_theme(self) -> None:
         """Change between dark and light."""
-        chosen = Theme.LIGHT if self._is_dark else Theme.DARK
+        chosen = Theme.LIGHT if self._palette.is_dark else Theme.DARK
         self.session.settings.theme = chosen.value
         self.apply_theme(chosen)
 
@@ -83,19 +94,18 @@ class MainWindow(QMainWindow):
         """Say a message above the view, and show on the plate where it is."""
         self.messages.say(message)
         plate = self.session.document.scene.plate
-        if isinstance(message, HullquadError) and plate is not None:
+        if plate is not None and message is self.session.workshop.refused.get(plate.id):
             self.canvas.show_place(plate.place_of(message))
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Close in this order: threads and worker, the view, then Qt; ask first if something would be lost."""
+        """Ask first if something would be lost; then end everything before Qt does."""
         if self.session.is_modified and not self._may_close:
             event.ignore()
             self.filing.leave(self._close_soon)
             return
         self.session.settings.geometry = self.saveGeometry()
         self.session.settings.layout = self.saveState(_LAYOUT_VERSION)
-        self.session.stop_and_wait()
-        self.canvas.stop()
+        self.stop()
         event.accept()
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
@@ -147,6 +157,7 @@ class MainWindow(QMainWindow):
         recent = RecentFiles(self.session.settings, self.filing, self)
         menus[FILE].insertMenu(self.actions_by_name["choose_output"], recent)
         menus[FILE].insertMenu(self.actions_by_name["close"], self.filing.picture_menu)
+        menus[VIEW].addMenu(self._colours)
         menus[VIEW].addSeparator()
         menus[VIEW].addActions(self.docks.toggles())
 
@@ -175,6 +186,7 @@ class MainWindow(QMainWindow):
         session.opened.connect(lambda _: self.messages.hide())
         edits.cleanChanged.connect(self._show_edits)
         edits.indexChanged.connect(self._show_edits)
+        self._colours.picked.connect(self.colour_by)
         self.welcome.chosen.connect(self.filing.open)
         self.history.position_chosen.connect(session.scrub)
         self.choices.plate_chosen.connect(session.choose_plate)

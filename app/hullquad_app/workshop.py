@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Signal
 
 from hullquad.errors import HullquadError
 from hullquad.mesh import Mesh
+from hullquad.plate import Notice
 from hullquad_app.document import Document, State
 from hullquad_app.jobs import Jobs
 from hullquad_app.work import Division, Meshed, Progress, Size
@@ -94,7 +95,7 @@ class Workshop(QObject):
         self._document.open(state)
         self.opened.emit(state.path)
         if state.plates is not None and state.plates.warnings:
-            self._tell_all([str(notice) for notice in state.plates.warnings])
+            self._tell_warnings(state.plates.warnings)
 
     def _show_divided(self, division: Division) -> None:
         if division.plates is self._document.scene.state.plates:
@@ -138,8 +139,13 @@ class Workshop(QObject):
             count = self.tr("{count} plates could not be meshed:").format(count=len(errors))
             self.message.emit("\n".join([count, *map(str, errors)]))
 
-    def _tell_all(self, texts: list[str]) -> None:
-        self.message.emit("\n".join(texts))
+    def _tell_warnings(self, notices: Sequence[Notice]) -> None:
+        if len(notices) == 1:
+            head = notices[0].text[:1].upper() + notices[0].text[1:] + "."
+            self.message.emit(f"{head}\n{notices[0].code} at {notices[0].place}")
+            return
+        head = self.tr("The document can be used, but {count} things in it should be looked at.")
+        self.message.emit("\n".join([head.format(count=len(notices)), *map(str, notices)]))
 
     def _tell_broken(self, problem: Exception) -> None:
         logging.error("a job broke down", exc_info=problem)

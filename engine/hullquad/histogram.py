@@ -82,7 +82,7 @@ def axis_edges(metric: Metric, limit: float) -> Floats:
 
 def _axis(metric: Metric, limit: float) -> tuple[float, float]:
     low = min(metric.low, metric.triangle_ideal if metric.unit == DEGREES else metric.low)
-    high = min(metric.high, metric.darkest)
+    high = metric.high if metric.higher_is_better else min(metric.high, metric.darkest)
     if low < 0 <= limit:
         low = 0.0  # elements below are not valid: the first bin shows them
     if not isfinite(high):

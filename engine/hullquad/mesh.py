@@ -8,7 +8,7 @@ from hullquad.surface import Plane
 from hullquad.topology import Topology
 
 
-@attrs.frozen(eq=False, kw_only=True)
+@attrs.frozen(eq=False, kw_only=True, repr=False)
 class Mesh:
     """Quads and triangles in space, with all that is known of them.
 
@@ -31,6 +31,11 @@ class Mesh:
     """[mm]"""
     input_hash: str = ""
     """SHA-256 of the plate document the mesh was made from."""
+
+    def __repr__(self) -> str:
+        known = self.topology
+        counts = f"{len(known.quads)} quads, {len(known.triangles)} triangles, {len(self.points)} nodes"
+        return f"<Mesh {self.plate_id or 'bare'}: {counts}>"
 
     @property
     def is_bare(self) -> bool:

@@ -10,7 +10,7 @@ import shapely
 
 from hullquad.arrays import Floats, Ints, floats, ints
 from hullquad.curves import Curve, chord_error, polyline
-from hullquad.errors import PlateError
+from hullquad.errors import HullquadError, PlateError
 from hullquad.sentences import SENTENCES
 from hullquad.surface import Bezier, Plane, Surface
 
@@ -204,6 +204,12 @@ class Plate:
     def rows(self) -> npt.NDArray[np.object_]:
         """(L,) each stiffener and seam as a line string."""
         return np.array([shapely.LineString([line.a, line.b]) for line in self.lines], dtype=object)
+
+    def place_of(self, error: HullquadError) -> Floats:
+        """(1, 3) point in space that an error tells of [mm]; (0, 3) when it tells of none, or the plate is curved."""
+        if not isinstance(self.surface, Plane) or not {"u", "v"} <= error.numbers.keys():
+            return floats(np.empty((0, 3)))
+        return floats(self.surface.points(np.array([[error.numbers["u"], error.numbers["v"]]])))
 
     @cached_property
     def clipped_lines(self) -> Floats:

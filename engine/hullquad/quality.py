@@ -96,7 +96,7 @@ def quality(mesh: Mesh, metric: Metric, limit: float | None = None) -> Quality:
 def _grades(metric: Metric, values: Floats, limit: float, *, triangle: bool) -> Floats:
     ideal = metric.triangle_ideal if triangle else metric.ideal
     passing = (values - limit) / (ideal - limit) if ideal != limit else np.ones_like(values)
-    worst = metric.low if metric.higher_is_better else metric.darkest
+    worst = metric.darkest
     if isfinite(worst):
         failing = (limit - values) / (worst - limit) if worst != limit else -np.ones_like(values)
     else:

@@ -25,7 +25,7 @@ class NodeState(IntEnum):
     """Held by the user."""
 
 
-@attrs.frozen(eq=False, kw_only=True)
+@attrs.frozen(eq=False, kw_only=True, repr=False)
 class Topology:
     """Elements, labels and node states of a mesh; every array is read-only."""
 

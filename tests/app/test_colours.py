@@ -79,7 +79,7 @@ def test_elements_have_the_colour_of_their_grade(chosen, values):
 
 @pytest.mark.parametrize("row", METRICS, ids=lambda row: row.key)
 def test_limit_and_ideal_pass_and_the_worst_value_is_darkest(row):
-    worst = row.low if row.higher_is_better else row.darkest
+    worst = row.darkest
     quality = judged([worst, row.limit, row.ideal], limit=row.limit, key=row.key)
     assert named(element_colours(quality)) == ["#6E0A1E", "#E3EDF3", "#5E9DC4"]
 

@@ -77,16 +77,17 @@ def test_a_missing_library_is_named_with_its_package():
     assert "libEGL.so.1" in answer.stderr
 
 
+@LINUX
 def test_it_shows_a_window_and_keeps_a_log(tmp_path):
     code = (
         "import sys\nfrom pathlib import Path\nfrom PySide6.QtCore import QTimer\n"
         "from hullquad_app import application\n"
         f"application.log_folder = lambda: Path({str(tmp_path)!r}) / 'logs'\n"
-        "def fail():\n    QTimer.singleShot(0, application.QApplication.instance().quit)\n    raise ValueError('odd')\n"
+        "def fail():\n    QTimer.singleShot(0, lambda: application.QApplication.exit(0))\n    raise ValueError('odd')\n"
         "QTimer.singleShot(0, fail)\n"
         "sys.exit(application.show([]))"
     )
-    answer = python(code, QT_QPA_PLATFORM="offscreen")
+    answer = python(code, QT_QPA_PLATFORM="xcb", DISPLAY=os.environ["DISPLAY"], XDG_CONFIG_HOME=str(tmp_path))
     log = (tmp_path / "logs" / "hullquad.log").read_text()
     assert answer.returncode == 0, answer.stderr
     assert "INFO root: HullQuad" in log
@@ -111,3 +112,12 @@ def test_a_log_that_cannot_be_kept_stops_nothing(tmp_path):
     answer = python(code)
     assert answer.returncode == 0
     assert "no log is kept" in answer.stderr
+
+
+@LINUX
+@pytest.mark.parametrize("words", [["picture", "no.vtu", "-o", "no.png"], ["quality", "no.vtu"]])
+def test_an_interrupt_while_libraries_load_is_quiet(words):
+    interrupting = "import os, signal, sys; sys.meta_path.insert(0, type('Ctrl', (), {'find_spec': find})()); "
+    finder = "def find(name, *_):\n    if name == 'numpy': os.kill(os.getpid(), signal.SIGINT)\n"
+    done = python(f"{finder}{interrupting}from hullquad_app.main import main; sys.exit(main({words}))")
+    assert (done.returncode, done.stderr) == (130, "")

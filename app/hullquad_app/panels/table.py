@@ -95,6 +95,7 @@ class Table(QTableView):
     def set_palette(self, palette: Palette) -> None:
         """Take the colours of a theme."""
         dress(self, palette)
+        dress(self.viewport(), palette)  # under a style sheet it does not inherit
         self.horizontalHeader().setStyleSheet(_HEADER.format(panel=palette.panel, dim=palette.dim, rule=palette.rule))
 
     def select_rows(self, rows: Iterable[int]) -> None:

@@ -54,7 +54,9 @@ class Metric:
 
     @property
     def darkest(self) -> float:
-        """Value that is drawn as the worst there is: no valid element has an angle above 180 degrees."""
+        """Value that is drawn as the worst there is: that of an element which is only just valid."""
+        if self.higher_is_better:
+            return max(self.low, 0.0)
         return 180.0 if self.unit == DEGREES else self.high
 
     @property
