@@ -5,7 +5,7 @@ import os
 import sys
 from collections.abc import Sequence
 
-from hullquad import __version__
+from hullquad.cli.interrupt import INTERRUPTED, ending_at_once
 from hullquad_app import ENGINE_COMMANDS, libraries
 
 _COMMANDS = """
@@ -23,7 +23,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     Whatever is heavy is imported where it is needed: `hullquad --help` must not wait for Qt, nor `hullquad mesh`
     need it.
     """
-    words = list(sys.argv[1:] if arguments is None else arguments)
+    try:
+        return _run(list(sys.argv[1:] if arguments is None else arguments))
+    except KeyboardInterrupt:
+        return INTERRUPTED
+
+
+def _run(words: Sequence[str]) -> int:
     if words[:1] and words[0] in ENGINE_COMMANDS:
         from hullquad.cli import main as run_engine  # noqa: PLC0415
 
@@ -35,19 +41,23 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if obstacle:
         print(f"hullquad: {obstacle}", file=sys.stderr)  # noqa: T201  (a terminal is all there is)
         return 1
-    from hullquad_app.application import show  # noqa: PLC0415
+    with ending_at_once():
+        from hullquad_app.application import show  # noqa: PLC0415
 
     return show(files)
 
 
 def _picture(words: Sequence[str]) -> int:
     """Run the command that needs the libraries of the window, but no screen."""
-    from hullquad_app.picture_command import main as run_picture  # noqa: PLC0415
+    with ending_at_once():
+        from hullquad_app.picture_command import main as run_picture  # noqa: PLC0415
 
     return run_picture(words)
 
 
 def _parser() -> argparse.ArgumentParser:
+    from hullquad import __version__  # noqa: PLC0415  takes as long as starting Python
+
     parser = argparse.ArgumentParser(
         prog="hullquad",
         description="Quadrilateral meshes of ship hull plates: made, judged and improved.",

@@ -118,6 +118,6 @@ def test_a_log_that_cannot_be_kept_stops_nothing(tmp_path):
 @pytest.mark.parametrize("words", [["picture", "no.vtu", "-o", "no.png"], ["quality", "no.vtu"]])
 def test_an_interrupt_while_libraries_load_is_quiet(words):
     interrupting = "import os, signal, sys; sys.meta_path.insert(0, type('Ctrl', (), {'find_spec': find})()); "
-    finder = "def find(name, *_):\n    if name == 'numpy': os.kill(os.getpid(), signal.SIGINT)\n"
+    finder = "def find(_, name, *__):\n    if name == 'numpy': os.kill(os.getpid(), signal.SIGINT)\n"
     done = python(f"{finder}{interrupting}from hullquad_app.main import main; sys.exit(main({words}))")
     assert (done.returncode, done.stderr) == (130, "")
