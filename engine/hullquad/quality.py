@@ -61,13 +61,13 @@ class Quality:
     @cached_property
     def grades(self) -> Floats:
         """(E,) from -1 (as bad as can be) over 0 (the limit of the element's kind) to 1 (ideal)."""
-        triangles = _grades(self.metric.triangle_metric, self.values, self.metric.triangle_limit, triangle=True)
-        quads = _grades(self.metric, self.values, self.limit, triangle=False)
+        triangles = graded(self.metric.triangle_metric, self.values, self.metric.triangle_limit, triangle=True)
+        quads = graded(self.metric, self.values, self.limit)
         return np.where(self.valid, np.where(self.is_triangle, triangles, quads), -1.0)
 
     def grade(self, value: float) -> float:
         """Grade of a quad of that value."""
-        return float(_grades(self.metric, np.array([value]), self.limit, triangle=False)[0])
+        return float(graded(self.metric, np.array([value]), self.limit)[0])
 
 
 def quality(mesh: Mesh, metric: Metric, limit: float | None = None) -> Quality:
@@ -93,7 +93,8 @@ def quality(mesh: Mesh, metric: Metric, limit: float | None = None) -> Quality:
     )
 
 
-def _grades(metric: Metric, values: Floats, limit: float, *, triangle: bool) -> Floats:
+def graded(metric: Metric, values: Floats, limit: float, *, triangle: bool = False) -> Floats:
+    """Grade of each value: from -1 (as bad as can be) over 0 (the limit) to 1 (ideal)."""
     ideal = metric.triangle_ideal if triangle else metric.ideal
     passing = (values - limit) / (ideal - limit) if ideal != limit else np.ones_like(values)
     worst = metric.darkest

@@ -107,7 +107,7 @@ def bare_frames(mesh: Mesh) -> float:
     data.cell_data["colours"] = np.full((len(quads), 3), 200, dtype=np.uint8)
     plotter = pyvista.Plotter(off_screen=True, window_size=(1000, 750))
     plotter.add_mesh(data, scalars="colours", rgb=True, show_edges=True, lighting=False)
-    plotter.render()
+    plotter.show(auto_close=False, interactive=False)
     frames, start = 10, time.process_time()
     for _ in range(frames):
         data.points += 1e-3

@@ -1,17 +1,22 @@
 """The picture of a histogram: bars in the colours of the map, its limit, and the colours as a strip below."""
 
+from functools import lru_cache
+
 import attrs
+import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
 from hullquad.histogram import Histogram
-from hullquad.metrics import DEGREES
-from hullquad.quality import Quality
+from hullquad.metrics import DEGREES, Metric
+from hullquad.quality import Quality, graded
 from hullquad_app.colours import ColourMap, Palette
 from hullquad_app.panels.axis import Axis, labels, ticks, top
 from hullquad_app.panels.figures import counted
 
 _ALMOST = -1e-9
+_STRIPE = 2
+"""Width of a stripe of the legend [px]."""
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _CENTRE = Qt.AlignmentFlag.AlignCenter
 
@@ -144,12 +149,11 @@ def first_pen(palette: Palette) -> QPen:
 
 
 def _draw_strip(painter: QPainter, plot: Bars, palette: Palette, chosen: ColourMap) -> None:
-    width = 2
-    for left in range(round(plot.strip.left()), round(plot.strip.right()), width):
-        value = plot.x.value(left + width / 2)
-        colour = chosen.colour(_grade(plot.quality, value))
-        right = min(left + width, plot.strip.right())
-        painter.fillRect(QRectF(left, plot.strip.top(), right - left, plot.strip.height()), QColor(colour))
+    ends = (round(plot.strip.left()), round(plot.strip.right()))
+    colours = _strip_colours(plot.quality.metric, plot.quality.limit, plot.x, ends, chosen)
+    for left, colour in zip(range(*ends, _STRIPE), colours, strict=True):
+        width = min(_STRIPE, plot.strip.right() - left)
+        painter.fillRect(QRectF(left, plot.strip.top(), width, plot.strip.height()), QColor(colour))
     line = plot.strip.height() * 2
     painter.setPen(QColor(palette.dim))
     values = _values(plot.x, plot.quality.metric.unit)
@@ -157,9 +161,16 @@ def _draw_strip(painter: QPainter, plot: Bars, palette: Palette, chosen: ColourM
         painter.drawText(QRectF(plot.x.at(value) - 60, plot.strip.bottom() + 0.15 * line, 120, line), _CENTRE, text)
 
 
-def _grade(quality: Quality, value: float) -> float:
-    beyond = value < quality.limit if quality.metric.higher_is_better else value > quality.limit
-    grade = quality.grade(value)
+@lru_cache(maxsize=8)
+def _strip_colours(metric: Metric, limit: float, x: Axis, ends: tuple[int, int], chosen: ColourMap) -> tuple[str, ...]:
+    """Colours of the stripes of the legend, from left to right."""
+    values = [x.value(left + _STRIPE / 2) for left in range(*ends, _STRIPE)]
+    return tuple(chosen.colour(_grade(metric, limit, value)) for value in values)
+
+
+def _grade(metric: Metric, limit: float, value: float) -> float:
+    beyond = value < limit if metric.higher_is_better else value > limit
+    grade = float(graded(metric, np.array([value]), limit)[0])
     return min(grade, _ALMOST) if beyond else grade
 
 

@@ -11,6 +11,7 @@ from hullquad_app.panels.band import Band, bands, draw_course, draw_frame, draw_
 from hullquad_app.panels.course import Course, course
 from hullquad_app.panels.figures import CAPTION, counted, shown, sized, summed
 from hullquad_app.panels.ground import dress
+from hullquad_app.panels.pace import Pace
 from hullquad_app.track import Track
 
 _CENTRE = Qt.AlignmentFlag.AlignCenter
@@ -38,6 +39,7 @@ class ObjectivePanel(QWidget):
         self._course: Course | None = None
         self._position = 0
         self._hovered: int | None = None
+        self._scene, self._pace = Scene(), Pace(self._refresh, self)
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
@@ -45,9 +47,13 @@ class ObjectivePanel(QWidget):
         dress(self, LIGHT)
 
     def show_scene(self, scene: Scene) -> None:
-        """Show the track of a scene and where it stands."""
-        if scene.track is self._track and scene.position == self._position:
-            return
+        """Show the track of a scene and where it stands; while it runs not more than a few times a second."""
+        self._scene = scene
+        if scene.track is not self._track or scene.position != self._position:
+            self._pace.ask(at_once=not scene.running)
+
+    def _refresh(self) -> None:
+        scene = self._scene
         if scene.track is not self._track:
             self._course = None if scene.track is None else course(scene.track)
             self._hovered = None
