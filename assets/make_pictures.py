@@ -16,7 +16,7 @@ from hullquad_app.window import MainWindow
 
 ASSETS = Path(__file__).parent
 FOLDER = ASSETS / "pictures"
-SAMPLE = ASSETS / "plates" / "stringer_opening.json"
+SAMPLE = ASSETS / "plates" / "hopper_web_ring.json"
 
 
 def wait(condition: Callable[[], object]) -> None:
@@ -49,9 +49,9 @@ def main() -> None:
         take(window, "start")
         window.filing.open(SAMPLE)
         wait(lambda: session.document.scene.state.keys)
-        window.actions_by_name["mesh_plate"].trigger()
+        session.mesh("fine")
         wait(lambda: session.document.scene.mesh is not None)
-        session.choose_metric("scaled_jacobian")
+        session.choose_metric("shape")
         take(window, "meshed")
         session.run()
         wait(lambda: not session.document.scene.running)

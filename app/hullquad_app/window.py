@@ -41,6 +41,7 @@ class MainWindow(QMainWindow):
         self.messages, self.choices = MessageBar(), Choices()
         self.docks, self.history, self.status = Docks(self), HistoryBar(), StatusBar()
         self.actions_by_name = Actions(self._targets(), self)
+        self._state = session.document.scene.state
         self._middle, self._colours = QStackedWidget(), ColourMenu(self)
         self._may_close = False
         self.setAcceptDrops(True)
@@ -64,7 +65,10 @@ class MainWindow(QMainWindow):
         self.canvas.stop()
 
     def show_scene(self, scene: Scene) -> None:
-        """Show a scene everywhere."""
+        """Show a scene everywhere; what was said of another state of the document is said no longer."""
+        if scene.state is not self._state:
+            self._state = scene.state
+            self.messages.hide()
         self._middle.setCurrentWidget(self.canvas if scene.state.keys else self.welcome)
         for shows in (self.canvas, self.docks, self.choices, self.history, self.status):
             shows.show_scene(scene)
@@ -183,7 +187,6 @@ class MainWindow(QMainWindow):
         session.busy.connect(lambda text, done, total: self.status.say_activity(_progress(text, done, total)))
         session.idle.connect(lambda: self.status.say_activity(""))
         session.able.connect(self.actions_by_name.show_abilities)
-        session.opened.connect(lambda _: self.messages.hide())
         edits.cleanChanged.connect(self._show_edits)
         edits.indexChanged.connect(self._show_edits)
         self._colours.picked.connect(self.colour_by)

@@ -180,7 +180,8 @@ class ObjectivePanel(QWidget):
         widest = painter.fontMetrics().horizontalAdvance(counted(int(x.high)))
         most = max(2, min(6, int((x.end - x.start) / (2 * widest))))
         for value in ticks(x.low, x.high, most, whole=True):
-            painter.drawText(QRectF(x.at(value) - 50, top, 100, line), _CENTRE, counted(int(value)))
+            left = min(x.at(value) - widest / 2, self.width() - widest - 1)
+            painter.drawText(QRectF(left, top, widest + 1, line), _CENTRE, counted(int(value)))
         painter.setPen(QPen(QColor(self._palette.dim), 1, Qt.PenStyle.DotLine))
         for part in rows.parts[1:]:
             at = round(x.at(rows.numbers[part.start]))
