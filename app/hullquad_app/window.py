@@ -21,6 +21,7 @@ from hullquad_app.message_bar import MessageBar
 from hullquad_app.recent import RecentFiles
 from hullquad_app.session import Session
 from hullquad_app.status import StatusBar
+from hullquad_app.theme_menu import ThemeMenu
 from hullquad_app.toolbar import Choices
 from hullquad_app.welcome import Welcome
 
@@ -43,6 +44,7 @@ class MainWindow(QMainWindow):
         self.actions_by_name = Actions(self._targets(), self)
         self._state = session.document.scene.state
         self._middle, self._colours = QStackedWidget(), ColourMenu(self)
+        self._themes = ThemeMenu(self)
         self._may_close = False
         self.setAcceptDrops(True)
         self._arrange()
@@ -77,7 +79,9 @@ class MainWindow(QMainWindow):
         self.setWindowModified(self.session.is_modified)
 
     def apply_theme(self, chosen: Theme) -> None:
-        """Take a theme."""
+        """Take a theme, and remember it."""
+        self.session.settings.theme = chosen.value
+        self._themes.show_choice(chosen)
         self._palette = theme.apply(chosen)
         for dressed in (self.canvas, self.history, self.status, self.messages, self.actions_by_name):
             dressed.set_palette(self._palette)
@@ -90,9 +94,7 @@ class MainWindow(QMainWindow):
 
     def toggle_theme(self) -> None:
         """Change between dark and light."""
-        chosen = Theme.LIGHT if self._palette.is_dark else Theme.DARK
-        self.session.settings.theme = chosen.value
-        self.apply_theme(chosen)
+        self.apply_theme(Theme.LIGHT if self._palette.is_dark else Theme.DARK)
 
     def say(self, message: HullquadError | str) -> None:
         """Say a message above the view, and show on the plate where it is."""
@@ -161,6 +163,7 @@ class MainWindow(QMainWindow):
         recent = RecentFiles(self.session.settings, self.filing, self)
         menus[FILE].insertMenu(self.actions_by_name["choose_output"], recent)
         menus[FILE].insertMenu(self.actions_by_name["close"], self.filing.picture_menu)
+        menus[VIEW].addMenu(self._themes)
         menus[VIEW].addMenu(self._colours)
         menus[VIEW].addSeparator()
         menus[VIEW].addActions(self.docks.toggles())
@@ -190,6 +193,7 @@ class MainWindow(QMainWindow):
         edits.cleanChanged.connect(self._show_edits)
         edits.indexChanged.connect(self._show_edits)
         self._colours.picked.connect(self.colour_by)
+        self._themes.picked.connect(self.apply_theme)
         self.welcome.chosen.connect(self.filing.open)
         self.history.position_chosen.connect(session.scrub)
         self.choices.plate_chosen.connect(session.choose_plate)

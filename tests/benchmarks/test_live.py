@@ -17,8 +17,6 @@ from PySide6.QtTest import QTest
 from hullquad.mesh import Mesh
 from hullquad.metrics import metric
 from hullquad.optimization.paper import PaperSettings, unmoved
-from hullquad.surface import Plane
-from hullquad.topology import rim_states, topology
 from hullquad_app.document import State
 from hullquad_app.session import Session
 from hullquad_app.settings import Settings
@@ -27,21 +25,6 @@ from hullquad_app.window import MainWindow
 
 SECONDS = 6.0
 SIZES = (1000, 10_000, 100_000)
-
-
-def shaken_grid(quads: int) -> Mesh:
-    """About so many quads of 100 mm, their inner nodes displaced by up to a quarter of that."""
-    across = round(np.sqrt(quads))
-    x, y = np.meshgrid(np.arange(across + 1.0), np.arange(across + 1.0))
-    nodes = 100 * np.stack([x.ravel(), y.ravel()], axis=1)
-    corner = (np.arange(across)[:, None] * (across + 1) + np.arange(across)).reshape(-1, 1)
-    elements = (corner + np.array([0, 1, across + 2, across + 1])).astype(np.int32)
-    states = rim_states(elements, len(nodes))
-    shift = np.random.default_rng(quads).uniform(-25, 25, nodes.shape)
-    nodes = np.where(states[:, None] == 0, nodes + shift, nodes)
-    ground = Plane([0, 0, 0], [1, 0, 0], [0, 1, 0])
-    known = topology(elements, states)
-    return Mesh(points=ground.points(nodes), topology=known, target_size=100.0, surface=ground, parameters=nodes)
 
 
 @pytest.fixture
@@ -60,7 +43,7 @@ def window(qapp, tmp_path):
 
 
 @pytest.mark.parametrize("quads", SIZES)
-def test_watching_a_run(window, quads, capsys):
+def test_watching_a_run(window, shaken_grid, quads, capsys):
     session, paints, gaps = window.session, [], []
     session.set_paper(PaperSettings(iterations=10**6, tolerance=0.0))
     mesh = shaken_grid(quads)

@@ -5,34 +5,11 @@ from itertools import islice
 import numpy as np
 import pytest
 
-from hullquad.mesh import Mesh
 from hullquad.metrics import metric
 from hullquad.optimization.paper import paper_iterates
-from hullquad.surface import Plane
-from hullquad.topology import rim_states, topology
 
 STEPS = 10
 SIZES = (200, 2000, 20_000)
-
-
-def shaken_grid(quads: int) -> Mesh:
-    """About so many quads of 100 mm, their inner nodes displaced by up to a quarter of that."""
-    across = round(np.sqrt(quads))
-    x, y = np.meshgrid(np.arange(across + 1.0), np.arange(across + 1.0))
-    nodes = 100 * np.stack([x.ravel(), y.ravel()], axis=1)
-    corner = (np.arange(across)[:, None] * (across + 1) + np.arange(across)).reshape(-1, 1)
-    elements = (corner + np.array([0, 1, across + 2, across + 1])).astype(np.int32)
-    states = rim_states(elements, len(nodes))
-    shift = np.random.default_rng(quads).uniform(-25, 25, nodes.shape)
-    nodes = np.where(states[:, None] == 0, nodes + shift, nodes)
-    ground = Plane([0, 0, 0], [1, 0, 0], [0, 1, 0])
-    return Mesh(
-        points=ground.points(nodes),
-        topology=topology(elements, states),
-        target_size=100.0,
-        surface=ground,
-        parameters=nodes,
-    )
 
 
 def stretch(points: np.ndarray, quads: np.ndarray) -> float:
@@ -46,7 +23,7 @@ def stretch(points: np.ndarray, quads: np.ndarray) -> float:
 
 
 @pytest.mark.parametrize("quads", SIZES)
-def test_ten_paper_steps(benchmark, quads):
+def test_ten_paper_steps(benchmark, shaken_grid, quads):
     benchmark.group = f"{quads} quads, {STEPS} steps"
     mesh, row = shaken_grid(quads), metric("stretch")
     last = benchmark(lambda: list(islice(paper_iterates(mesh, row), STEPS + 1))[-1])
@@ -54,7 +31,7 @@ def test_ten_paper_steps(benchmark, quads):
 
 
 @pytest.mark.parametrize("quads", SIZES)
-def test_ten_times_sixteen_evaluations_in_numpy(benchmark, quads):
+def test_ten_times_sixteen_evaluations_in_numpy(benchmark, shaken_grid, quads):
     benchmark.group = f"{quads} quads, {STEPS} steps"
     mesh = shaken_grid(quads)
     total = benchmark(

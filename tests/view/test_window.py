@@ -1,6 +1,7 @@
 """The window as its user meets it, by mouse and keyboard alone; what is shown is what is checked."""
 
 import gc
+import sys
 import threading
 from pathlib import Path
 
@@ -15,8 +16,10 @@ from hullquad.formats import read_mesh
 from hullquad.metrics import METRICS
 from hullquad_app.colours import Theme, element_colours
 from hullquad_app.document import State
+from hullquad_app.faults import Faults
 from hullquad_app.session import Session
 from hullquad_app.settings import Settings
+from hullquad_app.theme_menu import ThemeMenu
 from hullquad_app.window import MainWindow
 
 PROJECT = Path(__file__).parents[2]
@@ -250,6 +253,27 @@ def test_dark_and_light_change_every_part_and_are_remembered(meshed):
     assert meshed.grab().toImage().pixelColor(5, 5).lightness() < light.lightness()
     press(meshed, KEY.Key_D)
     assert meshed.session.settings.theme == "light"
+
+
+def test_the_theme_can_be_left_to_the_system_again(window):
+    press(window, KEY.Key_D)
+    (themes,) = window.findChildren(ThemeMenu)
+    themes.actions()[0].trigger()
+    assert window.session.settings.theme == "system"
+
+
+def test_faults_are_told_in_one_dialog_that_lets_the_user_go_on(window, qtbot):
+    faults = Faults(window)
+    try:
+        for text in ("odd", "odd", "odder"):
+            sys.excepthook(ValueError, ValueError(text), None)
+        (dialog,) = [one for one in window.findChildren(QMessageBox) if one.isVisible()]
+        assert {button.text().rstrip(".…") for button in dialog.buttons()} >= {"Copy details", "Continue"}
+        dialog.defaultButton().click()
+        assert window.isEnabled()
+        assert not dialog.isVisible()
+    finally:
+        faults.release()
 
 
 def test_the_plates_of_a_block_are_listed_meshed_and_chosen(window, qtbot):
