@@ -10,7 +10,6 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from hullquad.errors import HullquadError
-from hullquad.formats import FORMATS
 from hullquad_app.picture_menu import PictureMenu
 from hullquad_app.session import Session
 
@@ -27,6 +26,8 @@ class Filing(QObject):
 
     def choose_file(self) -> None:
         """Ask for plates or a mesh, and open them."""
+        from hullquad.formats import FORMATS  # noqa: PLC0415  brings SciPy and Shapely
+
         readable = [kind for kind in FORMATS if kind.read_plates or kind.read_mesh]
         together = self.tr("Plates and meshes ({patterns})")
         kinds = [together.format(patterns=" ".join(f"*{kind.suffix}" for kind in readable))]
@@ -41,6 +42,8 @@ class Filing(QObject):
 
     def choose_output(self) -> bool:
         """Ask for a file and save the mesh; whether one was given."""
+        from hullquad.formats import FORMATS  # noqa: PLC0415
+
         kinds = ";;".join(f"{kind.title} (*{kind.suffix})" for kind in FORMATS if kind.write_mesh)
         path = self._output(self.tr("Save mesh"), ".vtu", kinds)
         if path is not None:

@@ -1,31 +1,35 @@
-"""What is done outside the GUI thread, as generators of progress that return what was made; no Qt but its texts."""
+"""What is done outside the GUI thread, as generators of progress that return what was made; no Qt but its texts.
+
+The engine's rooms are loaded by the work that needs them, in its thread: an empty window waits for none of them.
+"""
 
 import logging
 import threading
 from collections.abc import Generator, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 import attrs
 from PySide6.QtCore import QCoreApplication
 
-from hullquad import pipeline, worker
+from hullquad import worker
 from hullquad.errors import HullquadError, MeshingError, PlateError
-from hullquad.formats import FORMATS, check_output, read_mesh, read_plates, write_mesh
 from hullquad.mesh import Mesh
 from hullquad.metrics import Metric
 from hullquad.plate import Document
 from hullquad.quality import quality
-from hullquad.triangulation.contour import Contour, attempts
 from hullquad_app.document import State
 from hullquad_app.track import Track
+
+if TYPE_CHECKING:
+    from hullquad.triangulation.contour import Contour
 
 PREPARE_SECONDS = 600.0
 """Compiling every kernel, on a slow machine."""
 
 Size = float | str | None
 """Element size [mm], or the name of one of the plates' own; None for their target sizes."""
-Attempt = Contour | PlateError
+Attempt: TypeAlias = "Contour | PlateError"
 """A plate's contour, or why it has none."""
 
 
@@ -68,6 +72,8 @@ def prepared(is_prepared: threading.Event) -> Work:
     """
     try:
         yield Progress(_translated("Preparing"))
+        from hullquad import pipeline  # noqa: PLC0415
+
         try:
             worker.call(pipeline.prepare, seconds=PREPARE_SECONDS, place="kernels")
         except HullquadError as error:
@@ -81,6 +87,8 @@ def prepared(is_prepared: threading.Event) -> Work:
 def opened(path: Path, metric: Metric) -> Work:
     """State with the plates, or the mesh, of a file."""
     yield Progress(_translated("Opening {file}").format(file=path.name))
+    from hullquad.formats import FORMATS, read_mesh, read_plates  # noqa: PLC0415
+
     if path.suffix.lower() not in {row.suffix for row in FORMATS if row.read_mesh}:
         plates = read_plates(path)
         return State(title=plates.name, path=path, plates=plates)
@@ -91,6 +99,8 @@ def opened(path: Path, metric: Metric) -> Work:
 def divided(plates: Document, size: Size) -> Work:
     """Contours of the plane plates of a document."""
     yield Progress(_translated("Dividing contours"))
+    from hullquad.triangulation.contour import attempts  # noqa: PLC0415
+
     return Division(plates, size, attempts(plates, size))
 
 
@@ -107,6 +117,9 @@ def meshed(
     while not is_prepared.wait(0.05):
         yield Progress(_translated("Preparing"))
     yield Progress(_translated("Dividing contours"), 0, len(keys))
+    from hullquad import pipeline  # noqa: PLC0415
+    from hullquad.triangulation.contour import attempts  # noqa: PLC0415
+
     contours = contours or attempts(state.plates, size)
     tracks: dict[str, Track] = {}
     refused: dict[str, HullquadError] = {}
@@ -122,6 +135,8 @@ def meshed(
 
 def saved(files: Mapping[Path, Mesh], metric: Metric) -> Work:
     """Write meshes with their values by a metric; the files."""
+    from hullquad.formats import check_output, write_mesh  # noqa: PLC0415
+
     for path in files:
         check_output(path)
     for i, (path, mesh) in enumerate(files.items()):
@@ -130,7 +145,7 @@ def saved(files: Mapping[Path, Mesh], metric: Metric) -> Work:
     return list(files)
 
 
-def _contour(contours: Mapping[str, Attempt], key: str) -> Contour:
+def _contour(contours: Mapping[str, Attempt], key: str) -> "Contour":
     if key not in contours:
         raise MeshingError("E_CURVED", key)
     if isinstance(contour := contours[key], PlateError):

@@ -4,7 +4,6 @@ from functools import cached_property
 
 import attrs
 import numpy as np
-from scipy.special import ellipeinc
 
 from hullquad.arrays import Floats, floats
 
@@ -160,6 +159,8 @@ class EllipseArc:
 
     def _lengths(self, angles: Floats) -> Floats:
         """(N,) lengths from the start to eccentric angles: an elliptic integral of the second kind."""
+        from scipy.special import ellipeinc  # noqa: PLC0415  slow to import, and ellipses are rare
+
         modulus = 1 - (self.a / self.b) ** 2
         return np.asarray(np.abs(self.b * (ellipeinc(angles, modulus) - ellipeinc(self.first, modulus))))
 

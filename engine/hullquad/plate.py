@@ -1,18 +1,20 @@
 """Plates and the document they come in, as values; always in millimetres and radians."""
 
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import attrs
 import numpy as np
 import numpy.typing as npt
-import shapely
 
 from hullquad.arrays import Floats, Ints, floats, ints
 from hullquad.curves import Curve, chord_error, polyline
 from hullquad.errors import HullquadError, PlateError
 from hullquad.sentences import SENTENCES
 from hullquad.surface import Bezier, Plane, Surface
+
+if TYPE_CHECKING:
+    import shapely  # 0.05 s that an empty window would wait for
 
 SNAP = 0.5
 """Distance within which the end of a line lies on the contour, and two fixed nodes are one [mm]."""
@@ -189,8 +191,10 @@ class Plate:
         return floats([self.outlines[0].min(axis=0), self.outlines[0].max(axis=0)])
 
     @cached_property
-    def region(self) -> shapely.Polygon:
+    def region(self) -> "shapely.Polygon":
         """The plate as a fine polygon with holes."""
+        import shapely  # noqa: PLC0415
+
         region = shapely.Polygon(self.outlines[0], self.outlines[1:])
         shapely.prepare(region)
         return region
@@ -198,11 +202,15 @@ class Plate:
     @cached_property
     def openings(self) -> npt.NDArray[np.object_]:
         """(H,) each hole as a fine polygon."""
+        import shapely  # noqa: PLC0415
+
         return np.array([shapely.Polygon(hole) for hole in self.outlines[1:]], dtype=object)
 
     @cached_property
     def rows(self) -> npt.NDArray[np.object_]:
         """(L,) each stiffener and seam as a line string."""
+        import shapely  # noqa: PLC0415
+
         return np.array([shapely.LineString([line.a, line.b]) for line in self.lines], dtype=object)
 
     def place_of(self, error: HullquadError) -> Floats:
@@ -214,6 +222,8 @@ class Plate:
     @cached_property
     def clipped_lines(self) -> Floats:
         """(K, 2, 2) ends of the pieces of stiffeners and seams that are left when the holes cut them."""
+        import shapely  # noqa: PLC0415
+
         pieces = shapely.get_parts(shapely.difference(self.rows, shapely.union_all(self.openings)))
         pieces = pieces[shapely.length(pieces) > self.snap]
         return floats([shapely.get_coordinates(piece)[[0, -1]] for piece in pieces] or np.empty((0, 2, 2)))

@@ -5,8 +5,6 @@ from functools import cached_property
 
 import attrs
 import numpy as np
-from scipy import sparse
-from scipy.sparse.csgraph import connected_components
 
 from hullquad.arrays import Bools, Bytes, Ints, Longs, ints, longs, small_ints
 
@@ -129,6 +127,9 @@ def reversed_elements(elements: Ints) -> Bools:
     Neighbours agree when they run through their common edge in opposite directions. Edges with more than
     two elements (T-joints) connect nothing; a one-sided (Moebius) part has no reversed elements.
     """
+    from scipy import sparse  # noqa: PLC0415  a quarter of a second, and few need it
+    from scipy.sparse.csgraph import connected_components  # noqa: PLC0415
+
     sides, owners = half_edges(elements)
     count = len(elements)
     side, other_side = paired_sides(sides)

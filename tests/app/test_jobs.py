@@ -10,7 +10,6 @@ from hullquad import pipeline, worker
 from hullquad.errors import FileError, MeshingError, PlateError
 from hullquad.formats import read_plates
 from hullquad.metrics import metric
-from hullquad_app import work
 from hullquad_app.document import State
 from hullquad_app.jobs import Job, Jobs
 from hullquad_app.work import Progress
@@ -175,7 +174,7 @@ def test_meshing_waits_until_the_kernels_are_prepared(jobs, block, qtbot, monkey
 
 def test_cancelling_meshing_does_not_cancel_the_preparation(jobs, block, qtbot, monkeypatch):
     gate, cancelled = threading.Event(), []
-    monkeypatch.setattr(work.pipeline, "prepare", lambda: None)
+    monkeypatch.setattr(pipeline, "prepare", lambda: None)
     monkeypatch.setattr(worker, "call", lambda *_, **__: gate.wait())
     monkeypatch.setattr(worker, "cancel", lambda: cancelled.append(True))
     jobs.prepare()

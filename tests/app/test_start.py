@@ -49,6 +49,18 @@ def test_the_help_of_engine_commands_loads_nothing_heavy(command):
     assert loaded(hullquad(command, "--help"), HEAVY) == []
 
 
+def test_showing_the_empty_window_loads_nothing_for_plates(tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path))
+    code = (
+        "import os\nos.environ['QT_QPA_PLATFORM'] = 'offscreen'\n"
+        "from PySide6.QtCore import QTimer\nfrom PySide6.QtWidgets import QApplication\n"
+        "from hullquad_app.session import Session\nfrom hullquad_app.window import MainWindow\n"
+        "application = QApplication([])\nwindow = MainWindow(Session())\nwindow.show()\n"
+        "QTimer.singleShot(0, application.quit)\napplication.exec()"
+    )
+    assert loaded(code, ("scipy", "shapely", "numba", "pyvista", "pyvistaqt", "vtkmodules", "matplotlib", "PIL")) == []
+
+
 def test_importing_the_engine_loads_nothing_that_shows():
     engine = (
         "import hullquad, pkgutil\n"

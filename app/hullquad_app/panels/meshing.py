@@ -1,5 +1,7 @@
 """How a plate is meshed: element size, mesher, what the contour makes of it; and how far meshing is."""
 
+from typing import TYPE_CHECKING
+
 from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtWidgets import (
     QComboBox,
@@ -16,12 +18,14 @@ from PySide6.QtWidgets import (
 
 from hullquad.errors import HullquadError, MeshingError
 from hullquad.plate import Plate
-from hullquad.triangulation.contour import Contour
 from hullquad_app.abilities import Abilities
 from hullquad_app.colours import LIGHT, Palette
 from hullquad_app.document import Scene
 from hullquad_app.panels.ground import coloured, dress
 from hullquad_app.work import Division, Size
+
+if TYPE_CHECKING:
+    from hullquad.triangulation.contour import Contour
 
 _LEAST, _MOST = 0.1, 1e6
 _OTHER = "other"
@@ -151,7 +155,7 @@ class MeshingPanel(QWidget):
             return contour.text, True
         return self._unavoidable(contour), False
 
-    def _unavoidable(self, contour: Contour) -> str:
+    def _unavoidable(self, contour: "Contour") -> str:
         text = self.tr("Unavoidable triangles: {triangles} ({edges} contour edges)")
         return text.format(triangles=contour.triangles_unavoidable, edges=contour.edge_count)
 
