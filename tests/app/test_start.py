@@ -4,6 +4,7 @@ import os
 import subprocess
 import sys
 from importlib.metadata import version
+from pathlib import Path
 
 import pytest
 
@@ -59,6 +60,12 @@ def test_showing_the_empty_window_loads_nothing_for_plates(tmp_path, monkeypatch
         "QTimer.singleShot(0, application.quit)\napplication.exec()"
     )
     assert loaded(code, ("scipy", "shapely", "numba", "pyvista", "pyvistaqt", "vtkmodules", "matplotlib", "PIL")) == []
+
+
+def test_opening_a_plate_waits_for_nothing_that_meshing_needs():
+    plate = Path(__file__).parents[2] / "assets" / "plates" / "hopper_partition.json"
+    code = f"from pathlib import Path\nfrom hullquad.formats import read_plates\nread_plates(Path({str(plate)!r}))"
+    assert loaded(code, ("scipy", "numba")) == []
 
 
 def test_importing_the_engine_loads_nothing_that_shows():

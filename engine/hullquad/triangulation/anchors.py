@@ -5,7 +5,6 @@ from collections.abc import Iterator
 import attrs
 import numpy as np
 import shapely
-from scipy.spatial import cKDTree
 
 from hullquad.arrays import Floats, floats
 from hullquad.curves import Curve, canonical, chord_error, nearest, polyline
@@ -127,7 +126,9 @@ def _merged(named: list[tuple[str, Floats]], tolerance: float) -> tuple[list[tup
         return [], []
     points = np.array([point for _, point in named])
     kept_as = np.arange(len(points))
-    for first, second in sorted(cKDTree(points).query_pairs(tolerance)):
+    dots = shapely.points(points)
+    pairs = shapely.STRtree(dots).query(dots, predicate="dwithin", distance=tolerance).T
+    for first, second in sorted((int(one), int(other)) for one, other in pairs if one < other):
         if kept_as[first] == first and kept_as[second] == second:
             kept_as[second] = first
     kept = [named[i] for i in np.flatnonzero(kept_as == np.arange(len(points)))]

@@ -4,7 +4,6 @@ from collections.abc import Iterator
 
 import numpy as np
 import shapely
-from scipy.spatial import cKDTree
 
 from hullquad.plate import Loop, Notice, Plate
 from hullquad.triangulation.contour import Contour
@@ -40,9 +39,12 @@ def size_concerns(plate: Plate, size: float) -> Iterator[Notice]:
 def _near_contour(contour: Contour) -> Iterator[Notice]:
     """Fixed nodes so near to the contour or to each other that the elements between them are slivers."""
     rim = shapely.multilinestrings([shapely.linearrings(ring) for ring in contour.rings])
-    away = shapely.distance(rim, shapely.points(contour.inside))
+    points = shapely.points(contour.inside)
+    away = shapely.distance(rim, points)
     if len(contour.inside) > 1:
-        away = np.minimum(away, np.asarray(cKDTree(contour.inside).query(contour.inside, k=2)[0])[:, 1])
+        near = shapely.STRtree(points).query(points, predicate="dwithin", distance=_NEAR * contour.size).T
+        one, other = near[near[:, 0] != near[:, 1]].T
+        np.minimum.at(away, one, shapely.distance(points[one], points[other]))
     for i in np.flatnonzero(away < _NEAR * contour.size):
         u, v = contour.inside[i]
         numbers = {"u": u, "v": v, "distance": float(away[i]), "size": contour.size}

@@ -5,7 +5,6 @@ import math
 import numpy as np
 import numpy.typing as npt
 import shapely
-from scipy.spatial import KDTree
 
 from hullquad.arrays import Bools, Floats, Longs, floats, longs
 from hullquad.errors import MeshingError
@@ -71,6 +70,8 @@ def _sound_starts(loop_starts: npt.ArrayLike, nodes: int, place: str) -> Longs:
 
 
 def _refuse_coincident_nodes(region: Region, place: str) -> None:
+    from scipy.spatial import KDTree  # noqa: PLC0415  a quarter of a second, while a plate may be opening
+
     last, first = region.starts[1:] - 1, region.starts[:-1]
     closing = np.zeros(len(region.nodes), dtype=bool)
     closing[last] = np.hypot(*(region.nodes[last] - region.nodes[first]).T) < region.tolerance
