@@ -40,7 +40,7 @@ def abilities(document: Document, jobs: Jobs) -> Abilities:
         can_pause=scene.running,
         can_reset=iterates > 1,
         can_scrub=iterates > 1,
-        can_mesh=scene.plate is not None and not is_meshing and not is_opening,
+        can_mesh=scene.plate is not None and scene.plate.is_plane and not is_meshing and not is_opening,
         can_mesh_all=plates is not None and len(plates.plates) > 1 and not is_meshing and not is_opening,
         can_cancel=is_meshing or is_opening,
         can_save=bool(scene.state.tracks) and not jobs.saving.is_running,

@@ -19,14 +19,17 @@ class Sample:
     name: str
     titles: tuple[str, ...]
     """Of its plates."""
+    is_curved: bool
+    """All of it: nothing of it can be meshed yet."""
 
 
 def samples() -> list[Sample]:
-    """Sample documents, by file name."""
-    return [_sample(path) for path in sorted((FOLDER / "plates").glob("*.json"))]
+    """Sample documents by file name, those that cannot be meshed yet at the end."""
+    found = [_sample(path) for path in sorted((FOLDER / "plates").glob("*.json"))]
+    return sorted(found, key=lambda sample: sample.is_curved)
 
 
 def _sample(path: Path) -> Sample:
     document = json.loads(path.read_text(encoding="utf-8"))
     titles = (plate.get("title", plate["id"]) for plate in document["plates"])
-    return Sample(path, document["name"], tuple(titles))
+    return Sample(path, document["name"], tuple(titles), all("surface" in plate for plate in document["plates"]))

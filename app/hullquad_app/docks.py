@@ -2,7 +2,7 @@
 
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QDockWidget, QMainWindow, QScrollArea, QWidget
+from PySide6.QtWidgets import QAbstractSpinBox, QDockWidget, QMainWindow, QScrollArea, QWidget
 
 from hullquad_app.canvas import Canvas
 from hullquad_app.colours import ColourMap, Palette
@@ -100,6 +100,10 @@ class Docks(QObject):
         session.able.connect(self.meshing.show_abilities)
         session.busy.connect(self.meshing.show_progress)
         session.idle.connect(self.meshing.show_idle)
+
+    def number_boxes(self) -> list[QAbstractSpinBox]:
+        """Where numbers are typed: all keys are letters there."""
+        return [box for panel in (self.meshing, self.search) for box in panel.findChildren(QAbstractSpinBox)]
 
     def toggles(self) -> list[QAction]:
         """Actions that show and hide the panels."""

@@ -72,8 +72,8 @@ class StatusBar(QStatusBar):
         scene = self._scene
         self.counts.setText("" if scene.mesh is None else self._count_words(scene.mesh))
         self.course.setText(self._course_words())
-        stop = None if scene.iterate is None else scene.iterate.stop
-        self.course.setToolTip("" if stop is None else stop.advice)
+        stop = None if scene.track is None else scene.track.last.stop
+        self.course.setToolTip("" if stop is None else f"{stop.reason}. {stop.advice}")
         self._sums = {} if scene.track is None else self._summed(scene.track.first, scene.iterate)
         self.objective.setText(self._objective_words())
         self.warning.setText(self._warning_words())
@@ -97,16 +97,24 @@ class StatusBar(QStatusBar):
             return self.tr("running")
         if scene.track is None or scene.iterate is None:
             return ""
-        if scene.iterate is not scene.track.last:
-            text = self.tr("iterate {number} of {last} shown")
-            return text.format(number=scene.iterate.number, last=scene.track.last.number)
-        return "" if scene.iterate.stop is None else self.tr("stopped: {why}").format(why=scene.iterate.stop.reason)
+        stop, last = scene.track.last.stop, scene.track.last.number
+        ended = "" if stop is None else self.tr("stopped at {last}: {why}").format(last=last, why=stop.reason)
+        if scene.iterate is scene.track.last:
+            return ended
+        where = self.tr("iterate {number} of {last} shown").format(number=scene.iterate.number, last=last)
+        return f"{where} · {ended}" if ended else where
 
     def _objective_words(self) -> str:
-        if self._scene.mesh is None:
+        """Sum of the metric that is shown, and the objective where another metric was optimised."""
+        scene = self._scene
+        if scene.mesh is None or scene.iterate is None:
             return ""
-        by = self._scene.view.metric
-        return f"Σ {by.title.lower()} {summed(self._sums[self._scene.mesh][1], by)} · mm"
+        by, run = scene.view.metric, scene.iterate.quality.metric
+        text = f"Σ {by.title.lower()} {summed(self._sums[scene.mesh][1], by)}"
+        if run is not by and scene.iterate.number:
+            other = self.tr("optimised by {metric}: {sum}")
+            text += " · " + other.format(metric=run.title.lower(), sum=summed(scene.iterate.objective, run))
+        return text + self.tr(" · lengths in mm")
 
     def _warning_words(self) -> str:
         """What the sum does not tell: that it became better while the worst element became worse."""

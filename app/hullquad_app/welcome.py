@@ -46,8 +46,10 @@ class Welcome(QWidget):
 
     def _item(self, sample: Sample) -> QListWidgetItem:
         several = self.tr("{name}: {count} plates").format(name=sample.name, count=len(sample.titles))
+        title = sample.titles[0] if len(sample.titles) == 1 else several
+        curved = self.tr("{title} (curved: not meshed yet)")
         picture = QIcon(str(sample.path.with_suffix(".png")))  # read when it is painted
-        item = QListWidgetItem(picture, sample.titles[0] if len(sample.titles) == 1 else several)
+        item = QListWidgetItem(picture, curved.format(title=title) if sample.is_curved else title)
         item.setData(_PATH, sample.path)
         item.setToolTip(sample.path.name)
         item.setTextAlignment(Qt.AlignmentFlag.AlignHCenter | Qt.AlignmentFlag.AlignTop)

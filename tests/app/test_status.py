@@ -50,12 +50,13 @@ def test_the_size_of_the_mesh_is_told(bar, walked):
 
 def test_the_objective_is_that_of_the_shown_iterate(bar, walked):
     bar.show_scene(scene(walked, 3))
-    assert bar.objective.text() == f"Σ stretch {walked.iterates[3].objective:.3f} · mm"
+    assert bar.objective.text() == f"Σ stretch {walked.iterates[3].objective:.3f} · lengths in mm"
 
 
 def test_the_objective_is_by_the_chosen_metric(bar, walked):
     bar.show_scene(scene(walked, key="min_angle"))
-    assert bar.objective.text() == f"Σ min. angle {objective_sum(walked.last.mesh, metric('min_angle')):.1f}° · mm"
+    angles, stretch = objective_sum(walked.last.mesh, metric("min_angle")), walked.last.objective
+    assert bar.objective.text() == f"Σ min. angle {angles:.1f}° · optimised by stretch: {stretch:.3f} · lengths in mm"
 
 
 def test_what_goes_on_is_told(bar, walked):
@@ -72,8 +73,10 @@ def test_what_goes_on_is_told(bar, walked):
 def test_the_reason_of_the_end_is_told_with_its_advice(bar, walked):
     ended = Track((*walked.iterates[:-1], attrs.evolve(walked.last, stop=stops.GAIN)))
     bar.show_scene(scene(ended))
-    assert bar.course.text() == f"stopped: {stops.GAIN.reason}"
-    assert bar.course.toolTip() == stops.GAIN.advice
+    assert bar.course.text() == f"stopped at 12: {stops.GAIN.reason}"
+    assert bar.course.toolTip().endswith(stops.GAIN.advice)
+    bar.show_scene(scene(ended, 7))
+    assert bar.course.text() == f"iterate 7 of 12 shown · stopped at 12: {stops.GAIN.reason}"
 
 
 def worsened(track, key):

@@ -203,11 +203,11 @@ class MeshingPanel(QWidget):
         running.addWidget(self.progress, stretch=1)
         running.addWidget(self.cancel)
         column = QVBoxLayout(self)
+        column.addWidget(self.task)  # on top: Cancel must be in sight however low the panel is
+        column.addLayout(running)
         column.addLayout(form)
         column.addWidget(self.prospect)
         column.addLayout(buttons)
-        column.addWidget(self.task)
-        column.addLayout(running)
         column.addStretch()
 
 

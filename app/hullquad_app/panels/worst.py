@@ -123,6 +123,8 @@ class WorstPanel(QWidget):
         title = self.model.headerData(COLUMNS.index(name), Qt.Orientation.Horizontal)
         texts = [*_SAMPLES[name], "" if name == "value" else title]
         judged = self._listed.quality
+        if name == "element" and self._listed.mesh is not None:
+            texts.append(str(self._listed.mesh.topology.element_labels.max(initial=0)))
         if name == "state" and judged is not None and judged.inverted_count:
             texts.append(self.model.tr("INVERTED"))
         return self.table.width_of(*texts, bold=name == "state")
