@@ -363,3 +363,15 @@ def test_nothing_is_left_over_and_nothing_asked_after_closing(qtbot, give, coars
     QApplication.sendPostedEvents(None, 52)  # deferred deletions
     QApplication.processEvents()
     assert {id(widget) for widget in QApplication.allWidgets()} <= before
+
+
+def test_failing_outlines_are_drawn_only_where_elements_are_large_enough(canvas, give, folded):
+    give(folded, "scaled_jacobian")
+    quality = canvas.stage.scene.quality
+    outlined = {*lines(canvas, "failing").ravel().tolist(), *lines(canvas, "worst").ravel().tolist()}
+    failing = quality.failing & quality.valid
+    nodes = folded.topology.elements[failing]
+    assert outlined == set(nodes[nodes >= 0].tolist())
+    for _ in range(40):
+        wheel(canvas, QPoint(300, 200), -1)
+    assert not is_visible(canvas, "failing")

@@ -36,6 +36,8 @@ LAYERS = {
 _OF_NODES = ("inverted", "edges", "contour", "failing", "worst", "halo", "selection")
 _DARKEST = -0.7
 """Grade below which an element is as dark as the outline of failing ones."""
+_LEAST_OUTLINED = 8.0
+"""Length of the edges of elements that are outlined when they fail [px]."""
 _LEAST_EDGE = 4.0
 """Length from which edges of elements are drawn [pixels]."""
 _DASH, _GAP = 9.0, 5.0
@@ -132,11 +134,12 @@ class Stage:
             place.set_segments(np.stack([points[:-1], points[1:]], axis=1))
 
     def _thin_outlines(self) -> None:
-        """Outlines of small elements must not bury them."""
+        """Outlines of small elements must not bury them: they are thin, and then there are none."""
         mesh = self.scene.mesh
         edge = np.inf if mesh is None else mesh.target_size / self._pixel
         for name in ("failing", "worst"):
             self.layers[name].width = float(np.clip(edge / 12, 1.0, LAYERS[name][1]))
+            self.layers[name].show(edge >= _LEAST_OUTLINED)
 
     def _show_lines(self, lines: Floats) -> None:
         """Stiffeners and seams, dashed at the scale of the picture."""
@@ -176,8 +179,9 @@ class Stage:
         elements = mesh.topology.elements
         self.layers["elements"].paint_cells(element_colours(quality, self.chosen_map))
         self._show_inverted(mesh, quality)
-        is_darkest = quality.failing & quality.valid & (quality.grades < _DARKEST)
-        self.layers["failing"].set_lines(_sides(elements, quality.failing & ~is_darkest))
+        outlined = quality.failing & quality.valid  # inverted ones have a colour of their own
+        is_darkest = outlined & (quality.grades < _DARKEST)
+        self.layers["failing"].set_lines(_sides(elements, outlined & ~is_darkest))
         self.layers["worst"].set_lines(_sides(elements, is_darkest))
 
     def _show_inverted(self, mesh: Mesh, quality: Quality) -> None:
