@@ -25,6 +25,9 @@ class Optimizer(QObject):
         """Tell its `painted` how long a frame took."""
         self._document = document
         self._recording: Recording | None = None
+        self._settings = PaperSettings()
+        self._due = 0
+        """Steps asked for while one goes on."""
         self.run.advanced.connect(self._show)
         self.run.ended.connect(self._end)
         self.run.failed.connect(self._fail)
@@ -34,21 +37,33 @@ class Optimizer(QObject):
         """Whether a run goes on."""
         return self._recording is not None
 
+    @property
+    def is_stepping(self) -> bool:
+        """Whether a single step goes on."""
+        return self._recording is not None and self._recording.is_step
+
+    def step_again(self) -> None:
+        """Have another step begin when the one that goes on ends, unless something else is wanted before."""
+        self._due += 1
+
     def start(self, metric: Metric, settings: PaperSettings, steps: int | None = None) -> None:
         """Improve the shown mesh until the method or `steps` iterations end it, or a pause; drops later iterates."""
         scene = self._document.scene
         if scene.mesh is None or self.is_running:
             return
+        self._settings = settings
         self._recording = Recording(scene, metric, is_step=steps == 1)
         self._document.preview(self._recording.track)
         self.run.start(scene.mesh, metric, settings, steps)
 
     def pause(self) -> None:
         """End the run after the iterate in the making; returns at once."""
+        self._due = 0
         self.run.pause()
 
     def finish(self) -> None:
         """Pause, and have the run in the document before this returns."""
+        self._due = 0
         self.run.finish()
 
     def stop_and_wait(self) -> None:
@@ -58,6 +73,7 @@ class Optimizer(QObject):
 
     def hold(self, position: int) -> None:
         """Show an iterate while the run goes on; the newest: follow the run again."""
+        self._due = 0
         if self._recording is not None:
             self._recording.hold(position)
             self._preview(self._recording)
@@ -72,6 +88,7 @@ class Optimizer(QObject):
 
     def _end(self, stop: Stop | None) -> None:
         recording, self._recording = self._recording, None
+        due, self._due = self._due, 0
         if recording is None:
             return
         if recording.is_empty:
@@ -79,17 +96,19 @@ class Optimizer(QObject):
             if stop is not None:
                 self.ended_unmoved.emit(stop)
             return
-        position = recording.result(stop)
-        self._document.change(
-            self._label(recording, position), recording.after(self._document.scene.state), recording.key, position
-        )
+        after = recording.after(self._document.scene.state)
+        self._document.change(self._label(recording, stop), after, recording.key, recording.result(stop))
+        if due and stop is None:
+            self.start(recording.metric, self._settings, steps=1)
+            self._due = due - 1
 
     def _fail(self, problem: Exception) -> None:
+        self._due = 0
         self._end(None)
         self.failed.emit(problem)
 
-    def _label(self, recording: Recording, position: int) -> str:
-        before, after = recording.objectives(position)
+    def _label(self, recording: Recording, stop: Stop | None) -> str:
+        before, after = recording.objectives(stop)
         title, unit = recording.metric.title, recording.metric.unit
         text = (
             self.tr("Step {metric}: {before} → {after}")

@@ -51,16 +51,18 @@ class Recording:
         self.held = None if is_newest else self.track.iterates[position].number
 
     def result(self, stop: Stop | None) -> int:
-        """Position to show after the end: the best of a run that ended by itself, else the last."""
-        if self.held is not None:
-            return self.position
-        return len(self.track.iterates) - 1 if stop is None else self.track.best_of_run(0)
+        """Position to show after the end: what somebody looks at, else what came of the run."""
+        return self._end(stop) if self.held is None else self.position
 
     def after(self, state: State) -> State:
         """The state with the run in it."""
         return state.with_track(self.key, self.track)
 
-    def objectives(self, position: int) -> tuple[float, float]:
-        """Objective before the run, and at a position."""
+    def objectives(self, stop: Stop | None) -> tuple[float, float]:
+        """Objective before the run, and what came of it, whatever is looked at."""
         assert self._first is not None  # the recording is not empty
-        return self._first.objective, self.track.iterates[position].objective
+        return self._first.objective, self.track.iterates[self._end(stop)].objective
+
+    def _end(self, stop: Stop | None) -> int:
+        """Position of what came of the run: the best if it ended by itself, else the last."""
+        return len(self.track.iterates) - 1 if stop is None else self.track.best_of_run(0)

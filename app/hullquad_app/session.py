@@ -4,6 +4,7 @@ import logging
 from collections.abc import Iterable
 from pathlib import Path
 
+import attrs
 from PySide6.QtCore import QObject, Signal
 
 from hullquad.errors import HullquadError
@@ -89,12 +90,20 @@ class Session(QObject):
     def save(self, path: Path) -> None:
         """Write the mesh as it is shown; of a document with several plates each beside it (``OUT-ID.vtu``)."""
         self.optimizer.finish()
-        self.workshop.save(self._files(Path(path)))
-        self._tell_able()
+        if files := self._files(Path(path)):
+            self.workshop.save(files)
+            self._tell_able()
+
+    def targets(self, path: Path) -> list[Path]:
+        """The files that `save` would write."""
+        return list(self._files(Path(path)))
 
     def step(self) -> None:
-        """One iteration from the iterate that is shown."""
-        self._optimize(steps=1)
+        """One iteration from the iterate that is shown; while a step goes on, another one after it."""
+        if self.optimizer.is_stepping:
+            self.optimizer.step_again()
+        else:
+            self._optimize(steps=1)
 
     def run(self) -> None:
         """Iterations from the iterate that is shown, until the method ends or somebody pauses."""
@@ -215,7 +224,7 @@ class Session(QObject):
         state = self.document.scene.state
         meshes = {key: track.iterates[self._bookmarks.row(key, track)].mesh for key, track in state.tracks.items()}
         if len(state.keys) == 1:
-            return dict.fromkeys([path], *meshes.values())
+            return dict.fromkeys([path], *meshes.values()) if meshes else {}
         return {path.with_name(f"{path.stem}-{key}{path.suffix}"): mesh for key, mesh in meshes.items()}
 
     def _remember(self, scene: Scene) -> None:
@@ -224,6 +233,7 @@ class Session(QObject):
 
     def _tell_able(self) -> None:
         able = abilities(self.document, self.workshop.jobs)
+        able = attrs.evolve(able, can_step=able.can_step or self.optimizer.is_stepping)
         if able != self.abilities:
             self.abilities = able
             self.able.emit(able)

@@ -434,3 +434,32 @@ def test_whatever_is_done_can_be_undone(session, show, ended, qtbot, seed):
         session.undo()
     assert session.document.scene.state is opened.state
     assert np.array_equal(points(session), opened.mesh.points)
+
+
+def test_the_label_tells_what_came_of_the_run_whatever_is_looked_at(running, ended):
+    running.scrub(2)
+    scene = ended(running.pause)
+    first, last = scene.track.first.objective, scene.track.last.objective
+    assert labels(running) == [f"Optimize stretch: {first:.2f} → {last:.2f}"]
+    assert scene.position == 2
+
+
+def test_saving_without_a_mesh_writes_nothing(session, open_, tmp_path):
+    open_(HOPPER)
+    session.save(tmp_path / "out.vtu")
+    assert session.targets(tmp_path / "out.vtu") == []
+
+
+def test_steps_asked_for_while_one_goes_on_follow_it(session, show, ended):
+    show()
+    for _ in range(3):
+        session.step()
+    assert ended().iterate.number == 3
+    assert len(labels(session)) == 3
+
+
+def test_a_pause_forgets_the_steps_to_come(session, show, ended):
+    show()
+    for _ in range(3):
+        session.step()
+    assert ended(session.pause).iterate.number <= 1
