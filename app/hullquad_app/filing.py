@@ -1,6 +1,6 @@
 """Opening, saving and leaving, with the dialogs they need and the question before something is lost."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -14,6 +14,8 @@ from hullquad_app.picture_menu import PictureMenu
 from hullquad_app.session import Session
 
 _BUTTONS = QMessageBox.StandardButton
+_NAMED = 5
+"""How many files a question lists."""
 
 
 class Filing(QObject):
@@ -23,6 +25,9 @@ class Filing(QObject):
         super().__init__(window)
         self._session, self._window = session, window
         self.picture_menu = PictureMenu(window)
+        self._go: Callable[[], object] | None = None
+        session.saved.connect(self._go_on)
+        session.workshop.jobs.saving.ended.connect(self._stay)
 
     def choose_file(self) -> None:
         """Ask for plates or a mesh, and open them."""
@@ -45,14 +50,15 @@ class Filing(QObject):
         from hullquad.formats import FORMATS  # noqa: PLC0415
 
         kinds = ";;".join(f"{kind.title} (*{kind.suffix})" for kind in FORMATS if kind.write_mesh)
-        path = self._output(self.tr("Save mesh"), ".vtu", kinds)
+        self._stay()
+        path = self._output(self.tr("Save mesh"), ".vtu", kinds, self._session.targets)
         if path is not None:
             self._session.save(path)
         return path is not None
 
     def choose_picture(self) -> None:
         """Ask for a file and save a picture of the plate as it is shown."""
-        path = self._output(self.tr("Save picture"), ".png", self.tr("Pictures (*.png)"))
+        path = self._output(self.tr("Save picture"), ".png", self.tr("Pictures (*.png)"), lambda file: [file])
         if path is not None:
             self._picture(lambda: _pictures().write(self._session.document.scene, path, **self._choices))
 
@@ -66,9 +72,12 @@ class Filing(QObject):
             go()
             return
         title = self._session.document.scene.state.title
-        text = self.tr("{title} has changes that were not saved. Save the mesh first?").format(title=title)
-        buttons = _BUTTONS.Save | _BUTTONS.Discard | _BUTTONS.Cancel
-        answer = QMessageBox.question(self._window, self.tr("HullQuad"), text, buttons, _BUTTONS.Save)
+        text = self.tr("{title} has changes that were not saved. Save the mesh first?")
+        buttons, proposed = _BUTTONS.Save | _BUTTONS.Discard | _BUTTONS.Cancel, _BUTTONS.Save
+        if not self._session.document.scene.state.tracks:
+            text = self.tr("{title} has changes that will be lost, and no mesh that could be saved. Go on?")
+            buttons, proposed = _BUTTONS.Discard | _BUTTONS.Cancel, _BUTTONS.Cancel
+        answer = QMessageBox.question(self._window, self.tr("HullQuad"), text.format(title=title), buttons, proposed)
         if answer == _BUTTONS.Discard:
             go()
         elif answer == _BUTTONS.Save:
@@ -76,10 +85,17 @@ class Filing(QObject):
 
     def _save_then(self, go: Callable[[], object]) -> None:
         """Go when the mesh is written; a save that fails is told, and nobody goes."""
-        once = Qt.ConnectionType.SingleShotConnection
-        waiting = self._session.saved.connect(lambda _: go(), once)
-        if not self.choose_output():
-            QObject.disconnect(waiting)
+        if self.choose_output():
+            self._go = go
+
+    def _go_on(self) -> None:
+        """Go where somebody wanted to; what was changed while the files were written is asked for again."""
+        go, self._go = self._go, None
+        if go is not None:
+            self.leave(go)
+
+    def _stay(self) -> None:
+        self._go = None
 
     @property
     def _choices(self) -> dict[str, Any]:
@@ -95,13 +111,27 @@ class Filing(QObject):
         finally:
             QGuiApplication.restoreOverrideCursor()
 
-    def _output(self, title: str, suffix: str, kinds: str) -> Path | None:
+    def _output(self, title: str, suffix: str, kinds: str, targets: Callable[[Path], Sequence[Path]]) -> Path | None:
+        """The file somebody chose, if all that is written for it may be."""
         source = self._session.document.scene.state.path
         proposal = (source or Path(self._session.document.scene.state.title or "mesh")).with_suffix(suffix)
         name, _ = QFileDialog.getSaveFileName(self._window, title, str(proposal), kinds)
         if not name:
             return None
-        return Path(name) if Path(name).suffix else Path(name + suffix)
+        path = Path(name) if Path(name).suffix else Path(name + suffix)
+        others = [file for file in targets(path) if file != Path(name) and file.exists()]
+        return path if self._may_replace(others) else None
+
+    def _may_replace(self, files: Sequence[Path]) -> bool:
+        """Ask for files that the dialog did not know of."""
+        if not files:
+            return True
+        names = [file.name for file in files[:_NAMED]]
+        if len(files) > _NAMED:
+            names.append(self.tr("and {count} more").format(count=len(files) - _NAMED))
+        text = self.tr("These files exist already. Replace them?") + "\n\n" + "\n".join(names)
+        buttons = _BUTTONS.Yes | _BUTTONS.No
+        return QMessageBox.question(self._window, self.tr("HullQuad"), text, buttons, _BUTTONS.No) == _BUTTONS.Yes
 
 
 def _pictures() -> ModuleType:

@@ -14,7 +14,7 @@ from hullquad_app.canvas import Canvas
 from hullquad_app.colour_menu import ColourMenu
 from hullquad_app.colours import LIGHT, ColourMap, Theme
 from hullquad_app.docks import Docks
-from hullquad_app.document import Scene
+from hullquad_app.document import Scene, State
 from hullquad_app.filing import Filing
 from hullquad_app.history_bar import HistoryBar
 from hullquad_app.message_bar import MessageBar
@@ -67,9 +67,9 @@ class MainWindow(QMainWindow):
         self.canvas.stop()
 
     def show_scene(self, scene: Scene) -> None:
-        """Show a scene everywhere; what was said of another state of the document is said no longer."""
-        if scene.state is not self._state:
-            self._state = scene.state
+        """Show a scene everywhere; what was said of another document or mesh is said no longer."""
+        before, self._state = self._state, scene.state
+        if _is_other(before, scene.state, scene.view.key):
             self.messages.hide()
         self._middle.setCurrentWidget(self.canvas if scene.state.keys else self.welcome)
         for shows in (self.canvas, self.docks, self.choices, self.history, self.status):
@@ -219,6 +219,14 @@ def _fixed_bar(name: str, title: str, content: QWidget | None = None) -> QToolBa
     if content is not None:
         bar.addWidget(content)
     return bar
+
+
+def _is_other(before: State, after: State, key: str | None) -> bool:
+    """Whether another document is open or the plate was meshed anew; a run only moves nodes."""
+    if before.path != after.path or before.plates is not after.plates:
+        return True
+    known, track = before.tracks.get(key or ""), after.tracks.get(key or "")
+    return track is not None and (known is None or known.first.mesh.topology is not track.first.mesh.topology)
 
 
 def _progress(text: str, done: int, total: int) -> str:

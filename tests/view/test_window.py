@@ -376,3 +376,64 @@ def test_the_view_turns_to_standard_views_and_back(meshed):
     assert abs(meshed.canvas.viewpoint.camera.towards @ before.towards) < 0.9
     press(meshed, KEY.Key_F5)
     np.testing.assert_allclose(meshed.canvas.viewpoint.camera.towards, before.towards, atol=1e-9)
+
+
+@pytest.fixture
+def answers(monkeypatch, tmp_path):
+    """What dialogs are answered: the file, and the buttons in turn; and the texts of the questions."""
+    given, asked = {"file": tmp_path / "out.vtu", "buttons": []}, []
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(given["file"]), ""))
+    buttons = QMessageBox.StandardButton
+
+    def question(_parent, _title, text, *_):
+        asked.append(text)
+        return getattr(buttons, given["buttons"].pop(0))
+
+    monkeypatch.setattr(QMessageBox, "question", question)
+    return given, asked
+
+
+def test_a_closing_save_that_failed_is_forgotten(meshed, qtbot, answers, tmp_path):
+    given, _ = answers
+    given.update(file=tmp_path / "nowhere" / "out.vtu", buttons=["Save"])
+    gone = []
+    meshed.filing.leave(lambda: gone.append(1))
+    qtbot.waitUntil(meshed.messages.isVisible, timeout=5000)
+    given["file"] = tmp_path / "out.vtu"
+    with qtbot.waitSignal(meshed.session.saved):
+        press(meshed, KEY.Key_S, CONTROL)
+    assert gone == []
+
+
+def test_what_is_done_while_the_closing_save_is_written_is_asked_for(meshed, qtbot, answers):
+    given, asked = answers
+    given["buttons"] = ["Save", "Cancel"]
+    gone = []
+    meshed.filing.leave(lambda: gone.append(1))
+    meshed.session.step()
+    qtbot.waitUntil(lambda: len(asked) == 2 or gone == [1], timeout=5000)
+    assert (len(asked), gone) == (2, [])
+
+
+def test_files_that_the_dialog_did_not_know_are_asked_for(meshed, answers, tmp_path):
+    given, asked = answers
+    given.update(file=tmp_path / "nosuf", buttons=["No"])
+    (tmp_path / "nosuf.vtu").write_text("kept")
+    assert not meshed.filing.choose_output()
+    assert "nosuf.vtu" in asked[0]
+
+
+def test_leaving_without_a_mesh_does_not_offer_to_save(meshed, answers):
+    given, asked = answers
+    meshed.session.document.edits.setClean()
+    meshed.session.undo()
+    given["buttons"] = ["Cancel"]
+    meshed.filing.leave(lambda: None)
+    assert "no mesh" in asked[0]
+
+
+def test_what_was_said_during_a_run_stays_when_it_ends(meshed, qtbot):
+    press(meshed, KEY.Key_S)
+    meshed.session.message.emit("odd")
+    wait_for_end(meshed, qtbot)
+    assert meshed.messages.isVisible()
