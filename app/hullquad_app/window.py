@@ -203,6 +203,8 @@ class MainWindow(QMainWindow):
         self.canvas.painted.connect(session.optimizer.run.painted)
         self.canvas.missed.connect(lambda: session.select(()))
         self.docks.connect_to(session, self.canvas)
+        for box in (self.choices.limits, *self.docks.number_boxes()):
+            box.lineEdit().returnPressed.connect(self.canvas.setFocus)  # letters are keys again
 
     def _restore(self) -> None:
         letter = self.fontMetrics()

@@ -234,6 +234,17 @@ def test_number_keys_choose_the_metric(meshed, number):
     np.testing.assert_array_equal(colours(meshed), element_colours(scene(meshed).quality))
 
 
+def test_letters_are_keys_again_after_a_number_was_typed(meshed, qtbot):
+    box = meshed.choices.limits
+    box.setFocus()
+    box.selectAll()
+    QTest.keyClicks(box, "0.7")
+    press(box, KEY.Key_Return)
+    assert scene(meshed).limit == 0.7
+    press(QApplication.focusWidget(), KEY.Key_S)
+    qtbot.waitUntil(lambda: scene(meshed).iterate.number == 1, timeout=20_000)
+
+
 def test_reset_goes_back_to_the_mesh_as_it_was_made(meshed, qtbot):
     made = scene(meshed).mesh
     for _ in range(2):
