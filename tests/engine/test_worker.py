@@ -241,8 +241,8 @@ def test_a_script_without_a_guard_ends_clean() -> None:
 HANGING = """
     import os, time
     from hullquad import worker
-    print(worker.call(os.getpid, seconds=30, place="plate H1"), flush=True)
     try:
+        print(worker.call(os.getpid, seconds=30, place="plate H1"), flush=True)
         worker.call(time.sleep, 1.0, seconds=30, place="plate H1")
     except KeyboardInterrupt:
         print("interrupted", flush=True)

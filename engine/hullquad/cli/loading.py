@@ -2,11 +2,16 @@
 
 from hullquad import pipeline
 from hullquad.cli.clock import Clock
+from hullquad.cli.interrupt import ending_at_once
 
 
 def load(clock: Clock) -> None:
-    """Have the compiled kernels ready, so that their loading is not counted as work."""
-    with clock.running("import"):
-        import numba  # noqa: F401, PLC0415
-    with clock.running("prepare"):
-        pipeline.prepare()
+    """Have the compiled kernels ready, so that their loading is not counted as work.
+
+    Nothing is written meanwhile, and Ctrl+C ends it at once: the compiler's callbacks would swallow it.
+    """
+    with ending_at_once():
+        with clock.running("import"):
+            import numba  # noqa: F401, PLC0415
+        with clock.running("prepare"):
+            pipeline.prepare()
