@@ -3,6 +3,7 @@
 from functools import cache
 
 import attrs
+import numpy as np
 from PIL import ImageDraw, ImageFont
 from PySide6.QtCore import QCoreApplication
 
@@ -14,6 +15,7 @@ from hullquad_app.colours import INVERTED, LIGHT, ColourMap
 from hullquad_app.document import Scene
 from hullquad_app.panels.axis import Axis, labels, ticks
 from hullquad_app.panels.figures import counted, plain, shown
+from hullquad_app.panels.limit import limit_label
 
 MARGIN = 48
 HEADER, FOOTER = 128, 116
@@ -83,7 +85,7 @@ def write_footer(pen: Pen, width: float, height: float, quality: Quality, chosen
 
 
 def _write_strip(pen: Pen, top: float, quality: Quality, chosen: ColourMap) -> None:
-    edges = axis_edges(quality.metric, quality.limit)
+    edges = axis_edges(quality.metric, quality.band)
     axis = Axis(float(edges[0]), float(edges[-1]), MARGIN, MARGIN + _STRIP_WIDTH)
     bottom = top + _STRIP_HEIGHT
     step = 1 / pen.scale
@@ -94,12 +96,13 @@ def _write_strip(pen: Pen, top: float, quality: Quality, chosen: ColourMap) -> N
     unit = quality.metric.unit
     for value, text in zip(values, labels(values), strict=True):
         pen.write(axis.at(value), bottom + 22, text + unit, _SMALL, LIGHT.dim, anchor="ms")
-    at = axis.at(quality.limit)
-    pen.fill(at - 1, top - 6, at + 1, bottom + 5, LIGHT.text)
-    text = _tr("limit {limit}").format(limit=plain(quality.limit, quality.metric))
-    half = pen.width(text, _SMALL) / 2
-    centre = min(max(at, MARGIN + half), MARGIN + _STRIP_WIDTH - half)
-    pen.write(centre, top - 12, text, _SMALL, LIGHT.text, anchor="ms")
+    for limit in quality.limits:
+        at = axis.at(limit)
+        pen.fill(at - 1, top - 6, at + 1, bottom + 5, LIGHT.text)
+        text = _tr("limit {limit}").format(limit=plain(limit, quality.metric))
+        half = pen.width(text, _SMALL) / 2
+        centre = min(max(at, MARGIN + half), MARGIN + _STRIP_WIDTH - half)
+        pen.write(centre, top - 12, text, _SMALL, LIGHT.text, anchor="ms")
     if quality.inverted_count:
         _write_inverted(pen, MARGIN + _STRIP_WIDTH + 32, top)
 
@@ -116,7 +119,7 @@ def _title(scene: Scene) -> str:
 def _line(scene: Scene, quality: Quality) -> str:
     by, count = quality.metric, len(quality.values)
     parts = [scene.plate.id] if scene.plate is not None and scene.plate.title else []
-    parts += [by.title, _tr("limit {limit}").format(limit=plain(quality.limit, by))]
+    parts += [by.title, _tr("limit {limit}").format(limit=limit_label(quality))]
     if scene.track is not None and len(scene.track.iterates) > 1 and scene.iterate is not None:
         last = scene.track.last.number
         parts.append(_tr("iteration {number} of {last}").format(number=scene.iterate.number, last=last))
@@ -141,9 +144,9 @@ def _figures(quality: Quality) -> list[tuple[str, str, str]]:
 
 
 def _colour(quality: Quality, value: float, chosen: ColourMap) -> str:
-    beyond = value < quality.limit if quality.metric.higher_is_better else value > quality.limit
     grade = quality.grade(value)
-    return chosen.colour(min(grade, _ALMOST) if beyond else grade)
+    is_within = quality.metric.is_within(quality.band, np.array(value))
+    return chosen.colour(grade if is_within else min(grade, _ALMOST))
 
 
 @cache

@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from hullquad.mesh import Mesh
-from hullquad.metrics import Metric, metric
+from hullquad.metrics import Band, Metric, metric
 from hullquad.optimization.iterate import Iterate
 from hullquad.plate import Document as PlateDocument
 from hullquad.plate import Plate
@@ -54,8 +54,8 @@ class View:
     position: int = -1
     """Which iterate of its track; -1 the last."""
     metric: Metric = attrs.field(factory=lambda: metric("stretch"))
-    limits: Mapping[str, float] = attrs.field(factory=dict)
-    """The user's limits by metric key, where they differ from the metric's own."""
+    bands: Mapping[str, Band] = attrs.field(factory=dict)
+    """What the user accepts by metric key, where it differs from the metric's own band."""
     selection: frozenset[int] = frozenset()
     """Rows of the selected elements."""
 
@@ -89,14 +89,14 @@ class Scene:
         return None if self.iterate is None else self.iterate.mesh
 
     @property
-    def limit(self) -> float:
-        """At which quads begin to fail."""
-        return limit(self.view)
+    def band(self) -> Band:
+        """Within which quads are acceptable."""
+        return band(self.view)
 
 
-def limit(view: View) -> float:
-    """The limit of the chosen metric: the user's, or the end of its acceptable band."""
-    return view.limits.get(view.metric.key, view.metric.limit)
+def band(view: View) -> Band:
+    """The band of the chosen metric: the user's, or the metric's own."""
+    return view.bands.get(view.metric.key, view.metric.band)
 
 
 def resolved(before: Scene, state: State, view: View, running: Track | None = None) -> Scene:
@@ -132,9 +132,9 @@ def _judged(iterate: Iterate | None, view: View, before: Scene) -> Quality | Non
         known += [(before.iterate.mesh, before.quality)] if before.iterate and before.quality else []
         known += [(before.track.first.mesh, before.first_quality)] if before.first_quality else []
     for mesh, judged in known:
-        if mesh is iterate.mesh and judged.metric is view.metric and judged.limit == limit(view):
+        if mesh is iterate.mesh and judged.metric is view.metric and judged.band == band(view):
             return judged
-    return quality(iterate.mesh, view.metric, limit(view))
+    return quality(iterate.mesh, view.metric, band(view))
 
 
 class _Change(QUndoCommand):

@@ -61,8 +61,8 @@ def _scene(mesh: Mesh, path: Path, chosen: Metric, limit: float | None) -> "Scen
 
     key = mesh.plate_id or path.stem
     state = State(title=path.stem, path=path, tracks={key: Track((unmoved(mesh, chosen),))})
-    limits = {} if limit is None else {chosen.key: limit}
-    return resolved(Scene(), state, View(key=key, metric=chosen, limits=limits))
+    bands = {} if limit is None else {chosen.key: chosen.moved(chosen.band, limit)}
+    return resolved(Scene(), state, View(key=key, metric=chosen, bands=bands))
 
 
 def _parser() -> ArgumentParser:

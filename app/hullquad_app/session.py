@@ -9,7 +9,7 @@ from PySide6.QtCore import QObject, Signal
 
 from hullquad.errors import HullquadError
 from hullquad.mesh import Mesh
-from hullquad.metrics import metric
+from hullquad.metrics import Band, metric
 from hullquad.optimization.settings import PaperSettings
 from hullquad.optimization.stops import Stop
 from hullquad_app.abilities import Abilities, abilities
@@ -52,7 +52,7 @@ class Session(QObject):
         self.workshop = Workshop(self.document, self.optimizer.finish, self)
         self.abilities = Abilities()
         self._bookmarks = Bookmarks()
-        self.document.look(metric=metric(self.settings.metric), limits=self.settings.limits)
+        self.document.look(metric=metric(self.settings.metric), bands=self.settings.bands)
         self._connect()
 
     @property
@@ -141,14 +141,14 @@ class Session(QObject):
         self.settings.metric = key
 
     def set_limit(self, limit: float) -> None:
-        """Have quads fail from another value on."""
-        view = self.document.scene.view
-        self._look_by({**view.limits, view.metric.key: limit})
+        """Have quads fail from another value on; of two limits the nearer one is moved."""
+        scene, by = self.document.scene, self.document.scene.view.metric
+        self._look_by({**scene.view.bands, by.key: by.moved(scene.band, limit)})
 
     def reset_limit(self) -> None:
         """Have quads fail where the metric's acceptable band ends."""
         view = self.document.scene.view
-        self._look_by({key: limit for key, limit in view.limits.items() if key != view.metric.key})
+        self._look_by({key: band for key, band in view.bands.items() if key != view.metric.key})
 
     def choose_plate(self, key: str) -> None:
         """Show another plate, at the iterate where it was left."""
@@ -215,9 +215,9 @@ class Session(QObject):
             key = self.settings.objective or self.document.scene.view.metric.key
             self.optimizer.start(metric(key), self.settings.paper, steps)
 
-    def _look_by(self, limits: dict[str, float]) -> None:
-        self.document.look(limits=limits)
-        self.settings.limits = limits
+    def _look_by(self, bands: dict[str, Band]) -> None:
+        self.document.look(bands=bands)
+        self.settings.bands = bands
 
     def _files(self, path: Path) -> dict[Path, Mesh]:
         """Shown mesh of every plate that has one, by the file it goes to."""

@@ -10,7 +10,7 @@ from typing import Any, TypeVar
 import attrs
 from PySide6.QtCore import QByteArray, QSettings
 
-from hullquad.metrics import METRICS
+from hullquad.metrics import METRICS, Band, Metric, metric
 from hullquad.optimization.settings import PaperSettings
 
 MOST_RECENT = 10
@@ -68,13 +68,13 @@ class Settings:
         self._write("recent", [str(file) for file in (path, *others)][:MOST_RECENT])
 
     @property
-    def limits(self) -> dict[str, float]:
-        """The user's limits by metric key."""
-        return self._read("limits", _limits, {})
+    def bands(self) -> dict[str, Band]:
+        """What the user accepts by metric key."""
+        return self._read("bands", _bands, {})
 
-    @limits.setter
-    def limits(self, limits: Mapping[str, float]) -> None:
-        self._write("limits", dict(limits))
+    @bands.setter
+    def bands(self, bands: Mapping[str, Band]) -> None:
+        self._write("bands", {key: metric(key).limits(band) for key, band in bands.items()})
 
     @property
     def metric(self) -> str:
@@ -126,8 +126,14 @@ def _files(names: list[str]) -> list[Path]:
     return [path for path in paths if path.is_file()][:MOST_RECENT]
 
 
-def _limits(value: dict[str, float]) -> dict[str, float]:
-    return {key: float(limit) for key, limit in value.items() if key in _KEYS and isfinite(limit)}
+def _bands(value: dict[str, list[float]]) -> dict[str, Band]:
+    rows = ((metric(key), limits) for key, limits in value.items() if key in _KEYS)
+    return {row.key: row.opened((limits[0], limits[-1])) for row, limits in rows if _is_band(row, limits)}
+
+
+def _is_band(row: Metric, limits: list[float]) -> bool:
+    is_whole = len(limits) == len(row.limits(row.band)) and all(map(isfinite, limits))
+    return is_whole and limits == sorted(limits)
 
 
 def _paper(value: dict[str, Any]) -> PaperSettings:

@@ -126,7 +126,7 @@ class StatusBar(QStatusBar):
         sense = 1 if by.higher_is_better else -1
         gain = sense * (self._sums[scene.mesh][1] - self._sums[scene.track.first.mesh][1])
         before, after = shown(first.worst, by) + by.unit, shown(now.worst, by) + by.unit
-        if gain <= 0 or sense * (now.worst - first.worst) >= 0 or before == after:
+        if gain <= 0 or not by.is_worse(now.worst, first.worst) or before == after:
             return ""
         higher = self.tr("worst fell {before} → {after} while the sum rose")
         lower = self.tr("worst rose {before} → {after} while the sum fell")

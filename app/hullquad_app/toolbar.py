@@ -44,7 +44,7 @@ class Choices(QWidget):
         if scene.view.metric is not before.view.metric:
             self._show_metric(scene.view.metric)
         with QSignalBlocker(self.limits):
-            self.limits.setValue(scene.limit)
+            self.limits.setValue(scene.view.metric.limits(scene.band)[0])
 
     def _fill(self) -> None:
         for row in METRICS:
@@ -102,9 +102,9 @@ class Choices(QWidget):
 
 def _meaning(metric: Metric) -> str:
     """What a metric is, for its tooltip."""
-    sense = _translated("higher is better") if metric.higher_is_better else _translated("lower is better")
+    sense = _translated(metric.sense.value)
     text = _translated("{title}: {formula}.\nAcceptable {low} to {high}, {sense}; ideal {ideal}.\n{source}")
-    low, high, ideal = (f"{value:g}{metric.unit}" for value in (*metric.band, metric.ideal))
+    low, high, ideal = (f"{value:g}{metric.unit}" for value in (*metric.quads.acceptable, metric.quads.ideal))
     return text.format(
         title=metric.title, formula=metric.formula, low=low, high=high, sense=sense, ideal=ideal, source=metric.source
     )

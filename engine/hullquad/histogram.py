@@ -7,13 +7,13 @@ import attrs
 import numpy as np
 
 from hullquad.arrays import Floats, Longs, floats, longs
-from hullquad.metrics import DEGREES, Metric
+from hullquad.metrics import Band, Metric
 from hullquad.quality import Quality
 
 PORTIONS = ("invalid", "failing", "passing")
 """Rows of `Histogram.counts`; those that are not valid are not counted again as failing."""
-OPEN_END = 10.0
-"""Where the axis of a metric without upper bound ends, as long as its limit is below [the metric's unit]."""
+OPEN_END = 2.5
+"""Where the axis of a metric without upper bound ends, over its own limit, unless the user's is beyond."""
 _MOST_BINS = 40
 _STEPS = (1.0, 2.0, 2.5, 3.0, 5.0)
 
@@ -25,7 +25,7 @@ class Histogram:
     edges: Floats = attrs.field(converter=floats)
     """(B + 1,) ends of the bins, from the least to the greatest [the metric's unit]."""
     bins: Longs = attrs.field(converter=longs)
-    """(E,) bin of each element."""
+    """(E,) bin of each element; -1 for triangles that are judged by another measure, which are in none."""
     counts: Longs = attrs.field(converter=longs)
     """(3, B) elements that are not valid, that fail and that pass."""
     grades: Floats = attrs.field(converter=floats)
@@ -52,46 +52,48 @@ class Histogram:
 
 def histogram(judged: Quality, edges: Floats | None = None) -> Histogram:
     """Elements of a mesh counted by value, in the bins of its metric or in other ones of equal width."""
-    edges = axis_edges(judged.metric, judged.limit) if edges is None else edges
+    edges = axis_edges(judged.metric, judged.band) if edges is None else edges
     count = len(edges) - 1
     width = (edges[-1] - edges[0]) / count
     # a value on an edge belongs to the upper bin, though its quotient may be rounded down
     places = np.clip((judged.values - edges[0]) / width + 1e-9, 0, count - 1).astype(np.int64)
     portions = np.where(judged.valid, np.where(judged.failing, 1, 2), 0) * count + places
-    counts = np.bincount(portions, minlength=3 * count)
-    sums = np.bincount(portions, weights=judged.grades, minlength=3 * count)
+    shown = judged.is_on_scale
+    counts = np.bincount(portions[shown], minlength=3 * count)
+    sums = np.bincount(portions[shown], weights=judged.grades[shown], minlength=3 * count)
     grades = np.where(counts > 0, sums / np.maximum(counts, 1), np.repeat([-1.0, 0.0, 0.0], count))
     return Histogram(
         edges=edges,
-        bins=places,
+        bins=np.where(shown, places, -1),
         counts=counts.reshape(3, count),
         grades=grades.reshape(3, count),
-        is_open_below=bool((judged.values < edges[0]).any()),
-        is_open_above=bool((judged.values > edges[-1]).any()),
+        is_open_below=bool((judged.values[shown] < edges[0]).any()),
+        is_open_above=bool((judged.values[shown] > edges[-1]).any()),
     )
 
 
-def axis_edges(metric: Metric, limit: float) -> Floats:
-    """(B + 1,) ends of bins that show the values of a metric and its limit.
+def axis_edges(metric: Metric, band: Band) -> Floats:
+    """(B + 1,) ends of bins that show the values of a metric and the ends of its band.
 
     They do not depend on the values, so that bars of two meshes can be compared and none moves in a run.
     """
-    low, high = _axis(metric, limit)
+    low, high = _axis(metric, band)
     return np.linspace(low, high, _bin_count(high - low) + 1)
 
 
-def _axis(metric: Metric, limit: float) -> tuple[float, float]:
-    low = min(metric.low, metric.triangle_ideal if metric.unit == DEGREES else metric.low)
-    high = metric.high if metric.higher_is_better else min(metric.high, metric.darkest)
-    if low < 0 <= limit:
+def _axis(metric: Metric, band: Band) -> tuple[float, float]:
+    limits = metric.limits(band)
+    low = metric.quads.low if metric.triangles is None else min(metric.quads.low, metric.triangles.low)
+    if low < 0 <= min(limits):
         low = 0.0  # elements below are not valid: the first bin shows them
+    high = metric.quads.high if metric.higher_is_better else min(metric.quads.high, metric.worst[1])
     if not isfinite(high):
-        high = OPEN_END if limit <= OPEN_END else _rounded_up(1.25 * limit)
-    return low, high
+        high = _rounded_up(OPEN_END * max(metric.limits(metric.band)))
+    return low, high if max(limits) <= high else _rounded_up(1.25 * max(limits))
 
 
 def _rounded_up(value: float) -> float:
-    power = 10.0 ** int(log10(value))
+    power = 10.0 ** floor(log10(value))
     return next(step * power for step in (1, 1.5, 2, 3, 4, 5, 6, 8, 10) if step * power >= value)
 
 

@@ -35,12 +35,10 @@ def worst_rows(judged: Quality, most: int) -> Longs:
     """The first rows of `Quality.worst_first`; of a large mesh without sorting all of it."""
     if len(judged.values) <= most:
         return judged.worst_first
-    badness = -judged.values if judged.metric.higher_is_better else judged.values
-    badness = np.where(judged.valid, badness, np.inf)
+    badness = np.where(judged.valid, judged.badness, np.inf)
     least = -np.partition(-badness, most - 1)[most - 1]
     candidates = np.flatnonzero(badness >= least)
-    values = judged.values[candidates]
-    order = np.lexsort((values if judged.metric.higher_is_better else -values, judged.valid[candidates]))
+    order = np.lexsort((-judged.badness[candidates], judged.valid[candidates]))
     return longs(candidates[order][:most])
 
 

@@ -33,13 +33,13 @@ def judged(values, limit=0.25, key="stretch", valid=None):
     values = np.array(values, dtype=float)
     row = metric(key)
     valid = np.ones(len(values), dtype=bool) if valid is None else np.array(valid)
-    beyond = values < limit if row.higher_is_better else values > limit
+    band = row.opened((limit, limit))
     return Quality(
         metric=row,
-        limit=limit,
+        band=band,
         values=values,
         valid=valid,
-        failing=beyond | ~valid,
+        failing=~(row.is_within(band, values) & valid),
         is_triangle=np.zeros(len(values), dtype=bool),
     )
 
@@ -79,8 +79,9 @@ def test_elements_have_the_colour_of_their_grade(chosen, values):
 
 @pytest.mark.parametrize("row", METRICS, ids=lambda row: row.key)
 def test_limit_and_ideal_pass_and_the_worst_value_is_darkest(row):
-    worst = row.darkest
-    quality = judged([worst, row.limit, row.ideal], limit=row.limit, key=row.key)
+    (limit,) = row.limits(row.band)
+    worst = row.worst[0 if row.higher_is_better else 1]
+    quality = judged([worst, limit, row.quads.ideal], limit=limit, key=row.key)
     assert named(element_colours(quality)) == ["#6E0A1E", "#E3EDF3", "#5E9DC4"]
 
 

@@ -1,5 +1,6 @@
 """Plates: what has become of each, and which is shown."""
 
+from math import inf
 from pathlib import Path
 
 import attrs
@@ -30,9 +31,9 @@ def panel(qtbot):
     return panel
 
 
-def scene(plates, tracks=None, key="B1", by="stretch", limits=None, **more):
+def scene(plates, tracks=None, key="B1", by="stretch", bands=None, **more):
     tracks = tracks or {}
-    view = View(key=key, metric=metric(by), limits=limits or {})
+    view = View(key=key, metric=metric(by), bands=bands or {})
     return Scene(state=State(plates=plates, tracks=tracks), view=view, track=tracks.get(key), **more)
 
 
@@ -60,8 +61,8 @@ def test_meshed_plates_tell_failing_and_worst(panel, block, walked):
     panel.show_scene(scene(block, {"B2": walked}))
     assert cell(panel, "B2", "state") == "meshed"
     assert cell(panel, "B2", "worst") == f"{worst:.3f}"
-    panel.show_scene(scene(block, {"B2": walked}, limits={"stretch": 0.99}))
-    assert cell(panel, "B2", "state") == f"{quality(mesh, metric('stretch'), 0.99).failing_count} failing"
+    panel.show_scene(scene(block, {"B2": walked}, bands={"stretch": (0.99, inf)}))
+    assert cell(panel, "B2", "state") == f"{quality(mesh, metric('stretch'), (0.99, inf)).failing_count} failing"
 
 
 def test_plates_are_judged_by_the_chosen_metric(panel, block, walked):

@@ -21,15 +21,14 @@ LEFT = Qt.MouseButton.LeftButton
 def judged(values, key="stretch", limit=None, invalid=()):
     """Quality of quads with given values."""
     row, values = metric(key), np.array(values, dtype=float)
-    limit = row.limit if limit is None else limit
+    band = row.band if limit is None else row.opened((limit, limit))
     valid = ~np.isin(np.arange(len(values)), invalid)
-    beyond = values < limit if row.higher_is_better else values > limit
     return Quality(
         metric=row,
-        limit=limit,
+        band=band,
         values=values,
         valid=valid,
-        failing=beyond | ~valid,
+        failing=~(row.is_within(band, values) & valid),
         is_triangle=np.zeros(len(values), dtype=bool),
     )
 

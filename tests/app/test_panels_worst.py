@@ -19,7 +19,7 @@ DISPLAY = Qt.ItemDataRole.DisplayRole
 
 def scene(iterate, key="stretch", limit=None, selection=frozenset(), **more):
     by = metric(key)
-    judged = quality(iterate.mesh, by, limit)
+    judged = quality(iterate.mesh, by, None if limit is None else by.opened((limit, limit)))
     return Scene(track=Track((iterate,)), quality=judged, view=View(metric=by, selection=selection), **more)
 
 

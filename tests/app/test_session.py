@@ -1,5 +1,6 @@
 """What the user can do, without a widget: opening, meshing, running, looking, undoing, saving, closing."""
 
+import math
 import random
 import threading
 from pathlib import Path
@@ -272,13 +273,13 @@ def test_limit_and_selection_can_change_while_the_run_goes_on(running):
     running.set_limit(0.9)
     running.select([3])
     scene = running.document.scene
-    assert (scene.running, scene.quality.limit, scene.view.selection) == (True, 0.9, {3})
+    assert (scene.running, scene.quality.limits, scene.view.selection) == (True, (0.9,), {3})
     running.pause()
 
 
 def test_limits_outlive_a_run(running, ended):
     running.set_limit(0.9)
-    assert ended(running.pause).quality.limit == 0.9
+    assert ended(running.pause).quality.limits == (0.9,)
 
 
 def test_undo_while_running_takes_the_run_back(running):
@@ -333,17 +334,17 @@ def test_selection_extends_and_takes_back(session, show):
 def test_a_limit_is_remembered_and_reset(session, show, settings):
     show()
     session.set_limit(0.7)
-    assert settings.limits == {"stretch": 0.7}
+    assert settings.bands == {"stretch": (0.7, math.inf)}
     session.reset_limit()
-    assert session.document.scene.limit == metric("stretch").limit
-    assert settings.limits == {}
+    assert session.document.scene.band == metric("stretch").band
+    assert settings.bands == {}
 
 
 def test_a_new_session_looks_as_the_last_did(session, settings, qapp):
     session.choose_metric("shape")
     session.set_limit(0.7)
     view = Session(settings).document.scene.view
-    assert (view.metric.key, view.limits) == ("shape", {"shape": 0.7})
+    assert (view.metric.key, view.bands) == ("shape", {"shape": (0.7, math.inf)})
 
 
 def test_the_iterate_that_is_shown_is_saved(session, show, ended, qtbot, tmp_path):

@@ -9,7 +9,7 @@ from PySide6.QtCore import QByteArray, QSettings
 from hullquad.optimization.settings import PaperSettings
 from hullquad_app.settings import MOST_RECENT, Settings
 
-NAMES = ("geometry", "layout", "theme", "recent", "limits", "metric", "objective", "paper")
+NAMES = ("geometry", "layout", "theme", "recent", "bands", "metric", "objective", "paper")
 NONSENSE = [
     "", "x", "null", "[]", "{}", "3", "true", '"?"', "[[1]]", '{"step": "a"}', '{"stretch": "a"}', "[null]", "1e999",
     "[" * 100_000, '{"stretch": null}', '{"iterations": 1e99}', '["\\u0000"]',
@@ -40,7 +40,7 @@ def usual(ini):
 def test_the_next_start_finds_what_was_set(ini):
     before = opened(ini)
     before.geometry, before.layout, before.theme = QByteArray(b"\0\xff\1"), QByteArray(b"docks"), "dark"
-    before.limits, before.metric, before.objective = {"stretch": 0.4}, "shape", "min_angle"
+    before.bands, before.metric, before.objective = {"stretch": (0.4, math.inf)}, "shape", "min_angle"
     before.paper = PaperSettings(step=0.001, iterations=50, guard=False)
     expected = values(before)
     del before
@@ -68,9 +68,9 @@ def test_a_file_of_another_kind_counts_as_nothing(ini, usual, content):
 def test_of_what_is_kept_only_the_sound_parts_count(ini):
     store = QSettings(str(ini), QSettings.Format.IniFormat)
     store.setValue("paper", json.dumps({"step": 0.01, "iterations": -1, "guard": 1, "new": 3, "tolerance": math.nan}))
-    store.setValue("limits", json.dumps({"stretch": 0.4, "beauty": 1.0, "shape": math.inf}))
+    store.setValue("bands", json.dumps({"stretch": [0.4], "beauty": [1.0], "shape": [math.inf], "skew": [0.1, 0.2]}))
     assert Settings(store).paper == PaperSettings(step=0.01)
-    assert Settings(store).limits == {"stretch": 0.4}
+    assert Settings(store).bands == {"stretch": (0.4, math.inf)}
 
 
 def test_the_last_files_are_remembered_while_they_are_there(ini, tmp_path):

@@ -18,15 +18,14 @@ def judged(values, key="stretch", limit=None, valid=None):
     """Quality of quads with given values."""
     row = metric(key)
     values = np.array(values, dtype=float)
-    limit = row.limit if limit is None else limit
+    band = row.band if limit is None else row.opened((limit, limit))
     valid = np.ones(len(values), dtype=bool) if valid is None else np.array(valid)
-    beyond = values < limit if row.higher_is_better else values > limit
     return Quality(
         metric=row,
-        limit=limit,
+        band=band,
         values=values,
         valid=valid,
-        failing=beyond | ~valid,
+        failing=~(row.is_within(band, values) & valid),
         is_triangle=np.zeros(len(values), dtype=bool),
     )
 
@@ -60,8 +59,9 @@ def test_elements_that_are_not_valid_are_counted_apart():
 
 @pytest.mark.parametrize("row", METRICS, ids=lambda row: row.key)
 def test_limits_of_the_table_are_ends_of_bins(row):
-    edges = axis_edges(row, row.limit)
-    assert np.isclose(edges, row.limit).any()
+    edges = axis_edges(row, row.band)
+    for limit in row.limits(row.band):
+        assert np.isclose(edges, limit).any()
     assert 30 <= len(edges) - 1 <= 40
 
 
@@ -78,11 +78,11 @@ def test_values_below_the_axis_are_in_the_first_bin():
 
 
 def test_a_negative_limit_is_on_the_axis():
-    assert axis_edges(metric("scaled_jacobian"), -0.1)[0] == -1
+    assert axis_edges(metric("scaled_jacobian"), (-0.1, np.inf))[0] == -1
 
 
 def test_a_large_limit_is_on_the_axis():
-    assert 20 < axis_edges(metric("aspect_ratio"), 20.0)[-1] < 40
+    assert 20 < axis_edges(metric("aspect_ratio"), (-np.inf, 20.0))[-1] < 40
 
 
 def test_equal_values_fill_one_bin():
@@ -121,6 +121,6 @@ def test_triangles_are_counted_by_their_own_limit(reference_mesh):
 
 
 def test_edges_can_be_those_of_another_quality():
-    edges = axis_edges(metric("stretch"), 0.25)
-    other = histogram(attrs.evolve(judged([0.5]), limit=0.4), edges)
+    edges = axis_edges(metric("stretch"), (0.25, np.inf))
+    other = histogram(attrs.evolve(judged([0.5]), band=(0.4, np.inf)), edges)
     assert other.edges.tolist() == edges.tolist()

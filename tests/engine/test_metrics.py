@@ -51,7 +51,7 @@ def test_closed_forms(nodes, key, value):
 
 @pytest.mark.parametrize("row", METRICS, ids=KEYS)
 def test_a_square_is_ideal(row):
-    assert_allclose(judged(row.key, SQUARE), row.ideal, rtol=1e-15)
+    assert_allclose(judged(row.key, SQUARE), row.quads.ideal, rtol=1e-15)
 
 
 INVALID = {
@@ -79,7 +79,7 @@ def test_an_invalid_element_is_never_better_than_the_worst_valid_one(nodes, row)
 
 @pytest.mark.parametrize("row", METRICS, ids=KEYS)
 def test_without_a_frame_an_element_is_judged_by_its_own_sense(row):
-    assert_allclose(judged(row.key, SQUARE[::-1], normals=np.zeros((1, 3))), row.ideal)
+    assert_allclose(judged(row.key, SQUARE[::-1], normals=np.zeros((1, 3))), row.quads.ideal)
 
 
 @pytest.mark.parametrize("row", METRICS, ids=KEYS)
@@ -135,7 +135,7 @@ def test_place_size_numbering_and_mirroring_change_nothing(row, points, angles, 
 def test_valid_elements_stay_within_the_range_of_the_table(points, row):
     values, valid = judged_values(row, points * [1, 1, 0], ONE_QUAD, UP)
     if valid[0]:
-        assert row.low - 1e-12 <= values[0] <= row.high + 1e-12
+        assert row.quads.low - 1e-12 <= values[0] <= row.quads.high + 1e-12
 
 
 @pytest.mark.parametrize("row", METRICS, ids=KEYS)
@@ -147,4 +147,4 @@ def test_differences_follow_the_sum_along_any_direction(row, dented):
         raw_values(row, dented.surface.points(dented.parameters + step * direction), quads, UP).sum()
         for step in (1e-4, -1e-4)
     )
-    assert_allclose((gradient * direction).sum(), (ahead - back) / 2e-4 / row.scale, rtol=1e-5)
+    assert_allclose((gradient * direction).sum(), (ahead - back) / 2e-4 / row.factor, rtol=1e-5)

@@ -15,7 +15,7 @@ def test_worst_and_failing_follow_the_sense_of_the_metric(dented):
         extreme = min if row.higher_is_better else max
         assert judged.worst == extreme(judged.values)
         assert judged.values[judged.worst_element] == judged.worst
-        beyond = judged.values < row.limit if row.higher_is_better else judged.values > row.limit
+        beyond = ~row.is_within(row.band, judged.values)
         np.testing.assert_array_equal(judged.failing, beyond)
 
 

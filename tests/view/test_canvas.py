@@ -91,7 +91,7 @@ def test_moving_nodes_changes_arrays_and_makes_nothing_anew(canvas, give, coarse
 def test_another_limit_only_changes_colours(canvas, document, give, coarse):
     give(coarse)
     stamp = shown(canvas, "elements").GetPoints().GetMTime()
-    document.look(limits={"stretch": 0.8})
+    document.look(bands={"stretch": (0.8, float("inf"))})
     colours = shown(canvas, "elements").cell_data["colours"]
     np.testing.assert_array_equal(colours, element_colours(document.scene.quality))
     assert shown(canvas, "elements").GetPoints().GetMTime() == stamp
@@ -100,7 +100,7 @@ def test_another_limit_only_changes_colours(canvas, document, give, coarse):
 def test_failing_elements_are_outlined(canvas, document, give, coarse):
     give(coarse)
     assert not is_visible(canvas, "failing")
-    document.look(limits={"stretch": 0.8})
+    document.look(bands={"stretch": (0.8, float("inf"))})
     failing = coarse.topology.elements[document.scene.quality.failing]
     np.testing.assert_array_equal(np.unique(lines(canvas, "failing")), np.unique(failing[failing >= 0]))
 

@@ -39,7 +39,7 @@ def compare(image, name):
 @pytest.fixture
 def scene(document, give, coarse):
     give(coarse)
-    document.look(limits={"stretch": 0.7})
+    document.look(bands={"stretch": (0.7, float("inf"))})
     return document.scene
 
 

@@ -80,7 +80,7 @@ def window(kept_window):
     session = kept_window.session
     session.optimizer.finish()
     session.document.open(State())
-    session.document.look(limits={})
+    session.document.look(bands={})
     session.choose_metric("stretch")
     kept_window.apply_theme(Theme.LIGHT)
     kept_window.messages.hide()
@@ -207,11 +207,11 @@ def test_dragging_the_limit_colours_and_counts_anew(meshed, qtbot):
     QTest.mousePress(chart, LEFT, pos=at[0.25])
     QTest.mouseMove(chart, at[0.8])
     QTest.mouseRelease(chart, LEFT, pos=at[0.8])
-    assert scene(meshed).limit == pytest.approx(0.8, abs=0.01)
+    assert scene(meshed).quality.limits[0] == pytest.approx(0.8, abs=0.01)
     assert scene(meshed).quality.failing_count > before
     np.testing.assert_array_equal(colours(meshed), element_colours(scene(meshed).quality))
-    assert meshed.choices.limits.value() == pytest.approx(scene(meshed).limit, abs=0.005)
-    assert meshed.session.settings.limits == {"stretch": scene(meshed).limit}
+    assert meshed.choices.limits.value() == pytest.approx(scene(meshed).quality.limits[0], abs=0.005)
+    assert meshed.session.settings.bands == {"stretch": scene(meshed).band}
 
 
 def test_a_click_in_view_or_table_selects_in_both(meshed, qtbot):
@@ -240,7 +240,7 @@ def test_letters_are_keys_again_after_a_number_was_typed(meshed, qtbot):
     box.selectAll()
     QTest.keyClicks(box, "0.7")
     press(box, KEY.Key_Return)
-    assert scene(meshed).limit == 0.7
+    assert scene(meshed).quality.limits == (0.7,)
     press(QApplication.focusWidget(), KEY.Key_S)
     qtbot.waitUntil(lambda: scene(meshed).iterate.number == 1, timeout=20_000)
 

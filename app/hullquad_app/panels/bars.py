@@ -7,9 +7,10 @@ import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QFontMetricsF, QPainter, QPen
 
+from hullquad.grades import graded
 from hullquad.histogram import Histogram
-from hullquad.metrics import DEGREES, Metric
-from hullquad.quality import Quality, graded
+from hullquad.metrics import DEGREES, Band, Metric
+from hullquad.quality import Quality
 from hullquad_app.colours import ColourMap, Palette
 from hullquad_app.panels.axis import Axis, labels, ticks, top
 from hullquad_app.panels.figures import counted
@@ -45,7 +46,7 @@ class Bars:
 
     def is_limit_at(self, point: QPointF, reach: float) -> bool:
         """Whether a point is on the line of the limit."""
-        near = abs(point.x() - self.x.at(self.quality.limit)) <= reach
+        near = any(abs(point.x() - self.x.at(limit)) <= reach for limit in self.quality.limits)
         return near and self.y.end - 2 * self.strip.height() <= point.y() <= self.strip.bottom() + self.strip.height()
 
     def column(self, number: int) -> QRectF:
@@ -150,7 +151,7 @@ def first_pen(palette: Palette) -> QPen:
 
 def _draw_strip(painter: QPainter, plot: Bars, palette: Palette, chosen: ColourMap) -> None:
     ends = (round(plot.strip.left()), round(plot.strip.right()))
-    colours = _strip_colours(plot.quality.metric, plot.quality.limit, plot.x, ends, chosen)
+    colours = _strip_colours(plot.quality.metric, plot.quality.band, plot.x, ends, chosen)
     for left, colour in zip(range(*ends, _STRIPE), colours, strict=True):
         width = min(_STRIPE, plot.strip.right() - left)
         painter.fillRect(QRectF(left, plot.strip.top(), width, plot.strip.height()), QColor(colour))
@@ -162,16 +163,15 @@ def _draw_strip(painter: QPainter, plot: Bars, palette: Palette, chosen: ColourM
 
 
 @lru_cache(maxsize=8)
-def _strip_colours(metric: Metric, limit: float, x: Axis, ends: tuple[int, int], chosen: ColourMap) -> tuple[str, ...]:
+def _strip_colours(metric: Metric, band: Band, x: Axis, ends: tuple[int, int], chosen: ColourMap) -> tuple[str, ...]:
     """Colours of the stripes of the legend, from left to right."""
     values = [x.value(left + _STRIPE / 2) for left in range(*ends, _STRIPE)]
-    return tuple(chosen.colour(_grade(metric, limit, value)) for value in values)
+    return tuple(chosen.colour(_grade(metric, band, value)) for value in values)
 
 
-def _grade(metric: Metric, limit: float, value: float) -> float:
-    beyond = value < limit if metric.higher_is_better else value > limit
-    grade = float(graded(metric, np.array([value]), limit)[0])
-    return min(grade, _ALMOST) if beyond else grade
+def _grade(metric: Metric, band: Band, value: float) -> float:
+    grade = float(graded(metric, np.array([value]), band)[0])
+    return grade if metric.is_within(band, np.array(value)) else min(grade, _ALMOST)
 
 
 def _values(x: Axis, unit: str) -> list[float]:

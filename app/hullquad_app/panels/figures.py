@@ -16,7 +16,7 @@ def shown(value: float, by: Metric) -> str:
     """A value of a metric, without its unit; every value of a metric has the same number of decimals."""
     if isinf(value):
         return "∞" if value > 0 else "−∞"
-    decimals = 1 if by.unit == DEGREES else 3 if by.high <= 1 else 2
+    decimals = 1 if by.unit == DEGREES else 3 if by.quads.high <= 1 else 2
     return signed(f"{value:.{decimals}f}" if abs(value) < 1e4 else f"{value:.2e}")
 
 

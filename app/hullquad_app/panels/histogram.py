@@ -110,7 +110,7 @@ class HistogramChart(QWidget):
         letters = QFontMetricsF(sized(self.font(), CAPTION))
         rows = np.fromiter(self._selection, dtype=np.int64, count=len(self._selection))
         rows = rows[rows < len(self._now.bins)]
-        selected = frozenset(np.unique(self._now.bins[rows]).tolist())
+        selected = frozenset(np.unique(self._now.bins[rows]).tolist()) - {-1}
         return bars(QRectF(self.rect()), letters, self._quality, self._now, self._first, selected)
 
     def paintEvent(self, _: QPaintEvent) -> None:
@@ -130,8 +130,7 @@ class HistogramChart(QWidget):
         draw_triangle_limit(painter, plot, self._palette)
         draw_legend(painter, plot, self._palette, self._map)
         lively = self._at_limit or self._drag is not None or self.hasFocus()
-        text = self.tr("limit {limit}").format(limit=limit_label(plot.quality))
-        draw_limit(painter, plot, self._palette, text, lively=lively)
+        draw_limit(painter, plot, self._palette, lively=lively)
 
     def mouseMoveEvent(self, move: QMouseEvent) -> None:
         """Drag the limit, or show what is under the mouse."""
@@ -152,7 +151,9 @@ class HistogramChart(QWidget):
         if plot is None or press.button() != Qt.MouseButton.LeftButton:
             return
         if plot.is_limit_at(press.position(), _REACH):
-            self._drag = _Drag(plot.quality.limit, plot.quality.limit)
+            at = press.position().x()
+            limit = min(plot.quality.limits, key=lambda end: abs(plot.x.at(end) - at))
+            self._drag = _Drag(limit, limit)
             return
         number = plot.bin_at(press.position())
         extend = bool(press.modifiers() & _EXTENDS)
@@ -184,7 +185,7 @@ class HistogramChart(QWidget):
         if key == Qt.Key.Key_Escape and self._drag is not None:
             self._let_go(self._drag.before)
         elif self._quality is not None and self._now is not None and key in _STEPS:
-            limit = self._quality.limit + _STEPS[key] * limit_step(self._now)
+            limit = self._quality.limits[0] + _STEPS[key] * limit_step(self._now)
             self.limit_released.emit(rounded_limit(self._now, limit))
         elif key in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
             self.limit_reset.emit()

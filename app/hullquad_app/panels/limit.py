@@ -2,7 +2,7 @@
 
 from math import floor, log10
 
-from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtCore import QCoreApplication, QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QBrush, QColor, QPainter, QPen, QPolygonF
 
 from hullquad.histogram import Histogram
@@ -25,10 +25,15 @@ def rounded_limit(now: Histogram, limit: float) -> float:
     return round(round(inside / step) * step, 9)
 
 
-def draw_limit(painter: QPainter, plot: Bars, palette: Palette, text: str, *, lively: bool) -> None:
-    """Draw the limit as a line with its value; in the accent colour while it can be moved."""
-    line = plot.strip.height() * 2
-    at, colour = round(plot.x.at(plot.quality.limit)), QColor(palette.accent if lively else palette.text)
+def draw_limit(painter: QPainter, plot: Bars, palette: Palette, *, lively: bool) -> None:
+    """Draw each limit as a line with its value; in the accent colour while it can be moved."""
+    for limit in plot.quality.limits:
+        _draw_line(painter, plot, palette, limit, lively=lively)
+
+
+def _draw_line(painter: QPainter, plot: Bars, palette: Palette, limit: float, *, lively: bool) -> None:
+    line, text = plot.strip.height() * 2, _tr("limit {limit}").format(limit=plain(limit, plot.quality.metric))
+    at, colour = round(plot.x.at(limit)), QColor(palette.accent if lively else palette.text)
     painter.setPen(QPen(colour, 2 if lively else 1.5))
     painter.drawLine(QLineF(at, plot.y.end - 1.3 * line, at, plot.strip.bottom() + 2))
     width = painter.fontMetrics().horizontalAdvance(text)
@@ -40,15 +45,17 @@ def draw_limit(painter: QPainter, plot: Bars, palette: Palette, text: str, *, li
 def has_triangle_limit(quality: Quality) -> bool:
     """Whether there are triangles that fail at another value than quads."""
     row = quality.metric
-    return row.triangle_band is not None and row.triangle_limit != quality.limit and bool(quality.is_triangle.any())
+    is_other = row.triangles is not None and row.triangle_band != quality.band
+    return is_other and bool(quality.is_triangle.any())
 
 
 def draw_triangle_limit(painter: QPainter, plot: Bars, palette: Palette) -> None:
     """Mark on the strip where triangles fail."""
     if not has_triangle_limit(plot.quality):
         return
-    at, reach = plot.x.at(plot.quality.metric.triangle_limit), plot.strip.height() / 2
-    draw_triangle(painter, QPointF(at, plot.strip.center().y()), reach, palette)
+    row, reach = plot.quality.metric, plot.strip.height() / 2
+    for limit in row.limits(row.triangle_band):
+        draw_triangle(painter, QPointF(plot.x.at(limit), plot.strip.center().y()), reach, palette)
 
 
 def draw_triangle(painter: QPainter, centre: QPointF, reach: float, palette: Palette) -> None:
@@ -60,5 +67,9 @@ def draw_triangle(painter: QPainter, centre: QPointF, reach: float, palette: Pal
 
 
 def limit_label(quality: Quality) -> str:
-    """The limit with its unit."""
-    return plain(quality.limit, quality.metric)
+    """The limit with its unit; both of a two-sided metric."""
+    return " – ".join(plain(limit, quality.metric) for limit in quality.limits)
+
+
+def _tr(text: str) -> str:
+    return QCoreApplication.translate("Histogram", text)

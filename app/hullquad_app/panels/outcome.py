@@ -119,4 +119,4 @@ def _sacrifices(start: Iterate, now: Iterate) -> bool:
     """Whether the sum has become better and the worst element worse."""
     sense = 1.0 if now.quality.metric.higher_is_better else -1.0
     is_better = sense * now.objective > sense * start.objective
-    return is_better and sense * now.quality.worst < sense * start.quality.worst
+    return is_better and now.quality.metric.is_worse(now.quality.worst, start.quality.worst)

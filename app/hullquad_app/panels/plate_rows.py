@@ -139,14 +139,14 @@ class PlateModel(QAbstractTableModel):
         if track is None:
             return None
         mesh, by = track.last.mesh, scene.view.metric
-        limit = scene.view.limits.get(by.key, by.limit)
+        band = scene.view.bands.get(by.key, by.band)
         candidates: list[Quality | None] = [track.last.quality, self._known.get(mesh)]
         if mesh is scene.mesh:
             candidates.append(scene.quality)
         for known in candidates:
-            if known is not None and known.metric is by and known.limit == limit:
+            if known is not None and known.metric is by and known.band == band:
                 return known
-        judged = self._known[mesh] = quality(mesh, by, limit)
+        judged = self._known[mesh] = quality(mesh, by, band)
         return judged
 
     def _repaint(self) -> None:

@@ -51,13 +51,13 @@ def _summary(mesh: Mesh, judged: dict[str, Quality]) -> str:
     for row in METRICS:
         by_row = metric_figures(mesh, judged[row.key])
         title = f"{row.title} [{row.unit}]" if row.unit else row.title
-        band = f"{row.band[0]:g} to {row.band[1]:g}"
+        band = f"{row.quads.acceptable[0]:g} to {row.quads.acceptable[1]:g}"
         lines.append(
             f"{title:<22}{band:>14}{by_row['worst']:>12.3f}{by_row['worst_element']:>12}"
             f"{by_row['mean']:>12.3f}{by_row['failing']:>9}"
         )
     if figures["triangles"]:
-        by_shape = " and ".join(row.title.lower() for row in METRICS if row.triangle_band is None)
+        by_shape = " and ".join(row.title.lower() for row in METRICS if row.triangles is None)
         lines += ["", f"Triangles are judged by their own bands; under {by_shape} by their shape."]
     return "\n".join(lines)
 
@@ -81,7 +81,7 @@ def _rows(mesh: Mesh, judged: dict[str, Quality]) -> Iterator[str]:
 
 
 def _column(mesh: Mesh, by_key: Quality) -> list[str]:
-    undefined = mesh.topology.is_triangle & (by_key.metric.triangle_band is None)
+    undefined = mesh.topology.is_triangle & (by_key.metric.triangles is None)
     return [
         "" if empty else repr(value) for empty, value in zip(undefined.tolist(), by_key.values.tolist(), strict=True)
     ]

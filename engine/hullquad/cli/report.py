@@ -84,8 +84,7 @@ def _change_text(figures: dict[str, Any], metric: Metric) -> str:
         f"worst {figures['worst_before']:.3f} -> {figures['worst_after']:.3f}, "
         f"failing {figures['failing_before']} -> {figures['failing_after']}"
     )
-    fell = figures["worst_after"] < figures["worst_before"]
-    if fell if metric.higher_is_better else figures["worst_after"] > figures["worst_before"]:
+    if metric.is_worse(figures["worst_after"], figures["worst_before"]):
         text += "\n  note: the sum is better, but the worst element is worse than before"
     return text
 

@@ -19,7 +19,7 @@ SHAPE = _ROW["shape"]
 SKEW = _ROW["skew"]
 MIN_ANGLE = _ROW["min_angle"]
 MAX_ANGLE = _ROW["max_angle"]
-BY_SHAPE = tuple(row for row, metric in enumerate(METRICS) if metric.triangle_band is None)
+BY_SHAPE = tuple(row for row, metric in enumerate(METRICS) if metric.triangles is None)
 """Metrics without a form for triangles."""
 
 

@@ -33,14 +33,14 @@ def judged_values(metric: Metric, points: Floats, elements: Ints, normals: Float
     """
     values, valid = np.empty(len(elements)), np.empty(len(elements), dtype=bool)
     kernels.judge(_row(metric), floats(points), ints(elements), floats(normals), values, valid)
-    return values * metric.scale, valid
+    return values * metric.factor, valid
 
 
 def raw_values(metric: Metric, points: Floats, quads: Ints, normals: Floats = ANY_SENSE) -> Floats:
     """(Q,) values of the formula as it stands, on any quad; angles in degrees."""
     values = np.empty(len(quads))
     kernels.raw_values(_row(metric), floats(points), ints(quads), floats(normals), values)
-    return values * metric.scale
+    return values * metric.factor
 
 
 def difference_gradient(
