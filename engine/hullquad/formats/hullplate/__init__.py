@@ -11,11 +11,11 @@ from typing import Any, TypeVar
 import attrs
 import numpy as np
 
+from hullquad.documents.entry import Entry, Field, Refused, anything, fields, positive, text, whole
+from hullquad.documents.json_text import Positions, decode
 from hullquad.errors import PlateError
 from hullquad.formats.hullplate.concerns import concerns
 from hullquad.formats.hullplate.defects import defects, size_defects
-from hullquad.formats.hullplate.entry import Entry, Field, Refused, anything, fields, positive, text, whole
-from hullquad.formats.hullplate.json_text import Positions, decode
 from hullquad.formats.hullplate.plate_entry import is_id
 from hullquad.formats.hullplate.plate_entry import plate as plate_of
 from hullquad.formats.source import content

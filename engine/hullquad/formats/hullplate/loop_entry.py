@@ -8,7 +8,7 @@ import numpy as np
 
 from hullquad.arrays import Floats
 from hullquad.curves import Arc, Curve, EllipseArc, Straight
-from hullquad.formats.hullplate.entry import Entry, Field, Refused, flag, items, number, positive, whole
+from hullquad.documents.entry import Entry, Field, Refused, flag, items, number, positive, whole
 from hullquad.plate import LEAST_LENGTH, LEAST_PARAMETER, Loop, closed_loop
 
 _FARTHEST = 1e9

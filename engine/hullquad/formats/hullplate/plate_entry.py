@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from hullquad.arrays import Floats
-from hullquad.formats.hullplate.entry import (
+from hullquad.documents.entry import (
     Entry,
     Field,
     Refused,

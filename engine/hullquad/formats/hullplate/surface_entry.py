@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from hullquad.arrays import Floats
-from hullquad.formats.hullplate.entry import Entry, Field, anything, items, number, positive, text, whole
+from hullquad.documents.entry import Entry, Field, anything, items, number, positive, text, whole
 from hullquad.formats.hullplate.loop_entry import Units, vector
 from hullquad.surface import Bezier, Cylinder, Plane, Surface
 

@@ -8,8 +8,8 @@ from typing import Any, TypeVar
 
 import attrs
 
+from hullquad.documents.json_text import child
 from hullquad.errors import PlateError
-from hullquad.formats.hullplate.json_text import child
 
 Value = TypeVar("Value")
 
