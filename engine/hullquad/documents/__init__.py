@@ -1,0 +1,1 @@
+"""What people write in JSON: decoded strictly, and read entry by entry with the place of every fault."""
