@@ -24,6 +24,8 @@ class Iterate:
     """How far the node that moved most has moved since the last iterate [mm]."""
     is_best: bool = True
     """Whether no earlier iterate of the run is as good."""
+    stage: str = ""
+    """What the run was about when it got here; empty where it has one stage only."""
     stop: Stop | None = None
     """Set on the last iterate of a run that ended by itself."""
 

@@ -32,6 +32,16 @@ GAIN = Stop(
     "the best sum has hardly grown over the last iterations",
     "Converged: going on would gain next to nothing. A smaller element size or another metric changes more.",
 )
+TIME = Stop(
+    "time",
+    "the time that was given is used up",
+    "Run again from here, or allow more time, while the mesh still gets better.",
+)
+NO_GAIN = Stop(
+    "no_gain",
+    "nothing that was tried is better than the mesh as it was",
+    "The mesh is left as it is. Another metric or a smaller element size changes more.",
+)
 ITERATIONS = Stop(
     "iterations",
     "the number of iterations that was asked for is done",

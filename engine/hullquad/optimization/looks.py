@@ -1,0 +1,71 @@
+"""Looks at a minimisation while it goes on: its iterates, the best so far, and why it ended."""
+
+from collections.abc import Callable, Iterator
+
+import attrs
+import numpy as np
+
+from hullquad.arrays import Floats
+from hullquad.mesh import Mesh
+from hullquad.metrics import Metric
+from hullquad.optimization import stops
+from hullquad.optimization.course import Course
+from hullquad.optimization.iterate import Iterate
+from hullquad.optimization.paper import objective_sum
+from hullquad.optimization.stops import Stop
+from hullquad.quality import quality
+
+Rank = tuple[float, ...]
+"""How good a mesh is, the greater the better: compared number by number."""
+
+
+def looks(
+    mesh: Mesh, metric: Metric, course: Course, stages: Iterator[str], rank: Callable[[Mesh], Rank]
+) -> Iterator[Iterate]:
+    """Iterates of a course, the given mesh first; `stages` yields the name of its stage after each of its steps.
+
+    An iterate is the best when its rank is greater than that of all before it. The last one knows why the course
+    ended; when that could gain nothing, the given mesh is the best, and the stop says so.
+    """
+    best = rank(mesh)
+    newest = _first(mesh, metric)
+    if not course.problem.movable:
+        yield attrs.evolve(newest, stop=stops.NO_FREE_NODES)
+        return
+    is_better = False
+    for stage in stages:
+        yield newest
+        now = course.mesh()
+        value = rank(now)
+        is_best = value > best
+        best, is_better = max(best, value), is_better or is_best
+        newest = _next(newest, now, metric, course.number, stage, is_best=is_best)
+    yield attrs.evolve(newest, stop=ending(course) if is_better else stops.NO_GAIN)
+
+
+def ending(course: Course) -> Stop:
+    """Why a course ended."""
+    if not course.is_complete:
+        return stops.GAIN
+    return stops.TIME if course.is_out_of_time else stops.ITERATIONS
+
+
+def farthest_move(before: Floats, after: Floats) -> float:
+    """How far the node that moved most has moved [mm]."""
+    return float(np.sqrt(((after - before) ** 2).sum(axis=1).max(initial=0.0)))
+
+
+def _first(mesh: Mesh, metric: Metric) -> Iterate:
+    return Iterate(number=0, mesh=mesh, quality=quality(mesh, metric), objective=objective_sum(mesh, metric))
+
+
+def _next(before: Iterate, mesh: Mesh, metric: Metric, number: int, stage: str, *, is_best: bool) -> Iterate:
+    return Iterate(
+        number=number,
+        mesh=mesh,
+        quality=quality(mesh, metric),
+        objective=objective_sum(mesh, metric),
+        displacement=farthest_move(before.mesh.points, mesh.points),
+        is_best=is_best,
+        stage=stage,
+    )
