@@ -53,12 +53,12 @@ class HullquadError(Exception):
         return _rebuilt, (type(self), self.code, self.place, self.case, self.numbers)
 
 
-class PlateError(HullquadError):
-    """A plate document that cannot be used; `others` among the numbers counts its further faults."""
+class DocumentError(HullquadError):
+    """A document that cannot be used; `others` among the numbers counts its further faults."""
 
-    def among(self, others: int) -> "PlateError":
+    def among(self, others: int) -> Self:
         """The same error, knowing how many others there are."""
-        return PlateError(self.code, self.place, self.case, **{**self.numbers, "others": others})
+        return type(self)(self.code, self.place, self.case, **{**self.numbers, "others": others})
 
     @property
     def others(self) -> int:
@@ -70,6 +70,14 @@ class PlateError(HullquadError):
         """The English sentence, and how many further faults there are."""
         more = "MORE:one" if self.others == 1 else "MORE"
         return super().text + (SENTENCES[more].format(others=self.others) if self.others else "")
+
+
+class PlateError(DocumentError):
+    """A plate document that cannot be used."""
+
+
+class RuleError(DocumentError):
+    """A file of rules or criteria that cannot be used."""
 
 
 class FileError(HullquadError):

@@ -12,6 +12,7 @@ SENTENCES: dict[str, str] = {
     "E_FILE:folder": "this is a folder; give the name of a file",
     "E_FILE:special": "this is a device or a pipe, no ordinary file; give the name of a file",
     "E_FILE:large": "the file has {size:.1f} GiB, more than the 2 GiB that are read; divide the model",
+    "E_FILE:other": "the file has {size:.1f} MiB, more than the {most:g} MiB of any file of this kind; check the name",
     "E_FILE:unreadable": "the file cannot be read: {reason}",
     "E_FILE:unwritable": "the file cannot be written: {reason}; nothing was changed",
     "E_FILE:no_folder": "there is no folder {folder}; make it first, or choose another",
@@ -62,6 +63,25 @@ SENTENCES: dict[str, str] = {
     "E_VTU:axes": "the axes in the data array 'plane' are not of unit length and square to each other",
     "E_VTU:moved": "a node is {away:.3g} mm from where 'plane' and 'parameters' put it: the mesh was moved by another "
     "program; remove 'hullquad version', 'node state' and 'node line' to have it taken as it is",
+    # rules and criteria
+    "E_RULES": "there is no rule set of this name, nor such a file; the rule sets are {known}",
+    "E_FORMAT:other": 'the format is {shown}; here it must be "format": "{known}"',
+    "E_MEASURE": "there is no measure {shown}; known are {known}",
+    "E_MEASURE:alike": "there is no measure {shown}; did you mean {alike}?",
+    "E_CHOICE": "{shown} is not known here; choose one of {known}",
+    "E_CHOICE:alike": "{shown} is not known here; did you mean {alike}?",
+    "E_BAND:count": "the least and the greatest acceptable value belong here, as in [null, 3], not {shown}",
+    "E_BAND:open": "both ends are null, which limits nothing; give one of them, or remove the limit",
+    "E_BAND:reversed": "the least acceptable value ({low:g}) is above the greatest ({high:g}); exchange the two",
+    "E_BAND:beyond": "warn accepts what is an error; narrow warn, or widen error",
+    "E_RULE:name": "the text is empty; say what is meant, or remove the key",
+    "E_RULE:empty": "there are no rules; add at least one",
+    "E_RULE:twice": "rule {earlier} (counted from 0) limits {measure} of these elements too; keep one of the two",
+    "E_RULE:both": "what is not evaluated has no measure and no limits; remove these, or remove not_evaluated",
+    "E_RULE:no_limit": "the rule has neither warn nor error; add a limit, or say why it is not_evaluated",
+    "E_RULE:quads_only": 'triangles have no {measure}; add "elements": "quads"',
+    "N_LENGTH:thickness": "the mesh does not tell the thickness of its plate",
+    "N_LENGTH:target_size": "the mesh does not tell how large its elements should be",
     # worker
     "E_WORKER": "the computation broke down ({reason}) and was ended, nothing else is affected; check the input here, "
     "and report the fault together with it if it is sound",
@@ -101,9 +121,9 @@ SENTENCES: dict[str, str] = {
     "MORE": " (and {others} more errors)",
     "MORE:one": " (and 1 more error)",
     "E_FILE:encoding": "byte {byte} is not UTF-8; save the document as UTF-8 text",
-    "E_JSON:empty": "the file is empty; a plate document is expected",
+    "E_JSON:empty": "the file is empty; a document in JSON is expected",
     "E_JSON:syntax": "this is no JSON ({reason}); look here for a missing comma, quote or bracket",
-    "E_JSON:deep": "lists or objects lie too deep in each other for a plate document; write it again",
+    "E_JSON:deep": "lists or objects lie too deep in each other for such a document; write it again",
     "E_JSON:repeated": "the key {key} is given twice; remove one of the two",
     "E_FORMAT": 'the format is {shown}; a plate document has "format": "hullplate"',
     "E_VERSION": "the version is {shown}; this program reads version {known}",
@@ -120,7 +140,7 @@ SENTENCES: dict[str, str] = {
         [
             f"{code}:missing"
             for code in (
-                *("E_TYPE", "E_UNITS", "E_EMPTY", "E_ID", "E_MATERIAL", "E_THICKNESS"),
+                *("E_TYPE", "E_RULE", "E_UNITS", "E_EMPTY", "E_ID", "E_MATERIAL", "E_THICKNESS"),
                 *("E_FRAME", "E_OUTER", "E_SIZE", "E_POINT", "E_ELLIPSE", "E_SURFACE"),
             )
         ],
@@ -137,7 +157,7 @@ SENTENCES: dict[str, str] = {
     "E_ID": "{shown} is no id; use 1 to 64 letters, digits, points, hyphens and underscores",
     "E_DUP_ID": "an earlier plate has the id {shown} too; give every plate its own",
     "E_NUMBER:kind": "a number belongs here, not {shown}; write it with digits and without quotes",
-    "E_NUMBER:large": "{shown} is no number that a plate can have; correct it",
+    "E_NUMBER:large": "{shown} is no number that can be meant here; correct it",
     "E_NUMBER:bulge": "with a bulge of {shown} the arc is a full circle, the most is {most:g}; divide it into two arcs",
     "E_POINT:count": "{count} coordinates in square brackets belong here, not {shown}",
     "E_POINT:far": "the point ({shown}) is more than 1000 km from the origin; correct its coordinates or the units",
