@@ -13,9 +13,9 @@ from hullquad_app.assets import FOLDER
 from hullquad_app.canvas.ruler import nice_length, written
 from hullquad_app.colours import INVERTED, LIGHT, ColourMap
 from hullquad_app.document import Scene
+from hullquad_app.limits import limit_words
 from hullquad_app.panels.axis import Axis, labels, ticks
 from hullquad_app.panels.figures import counted, plain, shown
-from hullquad_app.panels.limit import limit_label
 
 MARGIN = 48
 HEADER, FOOTER = 128, 116
@@ -119,7 +119,7 @@ def _title(scene: Scene) -> str:
 def _line(scene: Scene, quality: Quality) -> str:
     by, count = quality.metric, len(quality.values)
     parts = [scene.plate.id] if scene.plate is not None and scene.plate.title else []
-    parts += [by.title, _tr("limit {limit}").format(limit=limit_label(quality))]
+    parts += [by.title, _tr("limit {limit}").format(limit=limit_words(by, quality.band))]
     if scene.track is not None and len(scene.track.iterates) > 1 and scene.iterate is not None:
         last = scene.track.last.number
         parts.append(_tr("iteration {number} of {last}").format(number=scene.iterate.number, last=last))

@@ -15,6 +15,7 @@ from hullquad.optimization.stops import Stop
 from hullquad_app.abilities import Abilities, abilities
 from hullquad_app.bookmarks import Bookmarks
 from hullquad_app.document import Document, Scene
+from hullquad_app.limits import with_limit
 from hullquad_app.optimizer import Optimizer
 from hullquad_app.settings import Settings
 from hullquad_app.track import Track
@@ -140,10 +141,10 @@ class Session(QObject):
         self.document.look(metric=metric(key))
         self.settings.metric = key
 
-    def set_limit(self, limit: float) -> None:
-        """Have quads fail from another value on; of two limits the nearer one is moved."""
+    def set_limit(self, end: int, limit: float) -> None:
+        """Have quads fail from another value on; of a two-sided metric limit 0 is the lower and 1 the upper one."""
         scene, by = self.document.scene, self.document.scene.view.metric
-        self._look_by({**scene.view.bands, by.key: by.moved(scene.band, limit)})
+        self._look_by({**scene.view.bands, by.key: with_limit(by, scene.band, end, limit)})
 
     def reset_limit(self) -> None:
         """Have quads fail where the metric's acceptable band ends."""

@@ -1,64 +1,52 @@
 """What is chosen at the top of the window: plate, metric and limit."""
 
-from PySide6.QtCore import QCoreApplication, QSignalBlocker, Qt, Signal
-from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QHBoxLayout, QLabel, QSizePolicy, QWidget
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
-from hullquad.metrics import DEGREES, METRICS, Metric
+from hullquad.metrics import METRICS
+from hullquad_app.colours import Palette
 from hullquad_app.document import Scene
-
-_LARGEST_LIMIT = 1e6
-_LIMIT = 12
-"""Width of the limit's box, in letters."""
-_SHORTEST, _LONGEST = 10, 44
-"""Letters of a plate's name that the box has room for at least and at most; the whole is in its tooltip."""
+from hullquad_app.grouped_box import GroupedBox, metric_choices
+from hullquad_app.limit_boxes import LimitBoxes
+from hullquad_app.metric_words import meaning
+from hullquad_app.plate_box import PlateBox
 
 
 class Choices(QWidget):
     """Boxes that show what a scene is looked at by, and tell what the user wants instead."""
 
     plate_chosen = Signal(str)
-    metric_chosen = Signal(str)
-    limit_chosen = Signal(float)
+    metric_chosen = Signal(object)
+    """Emitted with the key of a metric."""
+    limit_moved = Signal(int, float)
+    """Number of a limit (of two 0 is the lower one), and its value."""
     limit_reset = Signal()
 
     def __init__(self) -> None:
         super().__init__()
-        self._shown = Scene()
-        self.plates = QComboBox()
-        self.metrics = QComboBox()
-        self.limits = QDoubleSpinBox()
+        self._shown: Scene | None = None
+        self.plates, self.metrics, self.limits = PlateBox(), GroupedBox(), LimitBoxes()
+        self.metrics.fill(metric_choices(METRICS))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
-        self._fill()
         self._lay_out()
-        self.plates.activated.connect(lambda row: self.plate_chosen.emit(self.plates.itemData(row)))
-        self.metrics.activated.connect(lambda row: self.metric_chosen.emit(self.metrics.itemData(row)))
-        self.limits.valueChanged.connect(self.limit_chosen)
+        self.plates.chosen.connect(self.plate_chosen)
+        self.metrics.chosen.connect(self.metric_chosen)
+        self.limits.moved.connect(self.limit_moved)
+        self.limits.reset_wanted.connect(self.limit_reset)
 
     def show_scene(self, scene: Scene) -> None:
         """Show what a scene is looked at by."""
         before, self._shown = self._shown, scene
-        if scene.state.keys != before.state.keys:
-            self._list_plates(scene)
-        if scene.view.key != before.view.key:
-            self.plates.setCurrentIndex(self.plates.findData(scene.view.key))
-        if scene.view.metric is not before.view.metric:
-            self._show_metric(scene.view.metric)
-        with QSignalBlocker(self.limits):
-            self.limits.setValue(scene.view.metric.limits(scene.band)[0])
+        self.plates.show_scene(scene)
+        if before is None or scene.view.metric is not before.view.metric:
+            self.metrics.show_choice(scene.view.metric.key)
+            self.metrics.setToolTip(meaning(scene.view.metric))
+        if before is None or scene.view.metric is not before.view.metric or scene.band != before.band:
+            self.limits.show_limits(scene.view.metric, scene.band)
 
-    def _fill(self) -> None:
-        for row in METRICS:
-            self.metrics.addItem(row.title, row.key)
-            self.metrics.setItemData(self.metrics.count() - 1, _meaning(row), Qt.ItemDataRole.ToolTipRole)
-        self.limits.setRange(-1.0, _LARGEST_LIMIT)
-        self.limits.setKeyboardTracking(False)
-        self.limits.setFixedWidth(_LIMIT * self.fontMetrics().averageCharWidth())
-        self._show_metric(self._shown.view.metric)
-        self.plates.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        self.plates.setMinimumContentsLength(_SHORTEST)
-        self.plates.setMaximumWidth(_LONGEST * self.fontMetrics().averageCharWidth())
-        self.plates.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
-        self.plates.setEnabled(False)
+    def set_palette(self, palette: Palette) -> None:
+        """Take the colours of a theme."""
+        self.limits.set_palette(palette)
 
     def _lay_out(self) -> None:
         row = QHBoxLayout(self)
@@ -67,7 +55,7 @@ class Choices(QWidget):
         for text, name, box in (
             (self.tr("Plate"), self.tr("Plate that is shown"), self.plates),
             (self.tr("Metric"), self.tr("Metric that colours the elements and is optimised"), self.metrics),
-            (self.tr("Limit"), self.tr("Value at which quads begin to fail"), self.limits),
+            (self.tr("Limit"), self.tr("Where quads begin to fail"), self.limits),
         ):
             label = QLabel(text)
             label.setBuddy(box)
@@ -77,38 +65,3 @@ class Choices(QWidget):
             row.addWidget(box, stretch=box is self.plates)
             row.addSpacing(self.fontMetrics().averageCharWidth())
         row.addStretch()
-
-    def _list_plates(self, scene: Scene) -> None:
-        self.plates.clear()
-        for key in scene.state.keys:
-            plate = scene.state.plate(key)
-            title = plate.title if plate is not None and plate.title else key
-            several = len(scene.state.keys) > 1 and title != key
-            self.plates.addItem(f"{key} · {title}" if several else title, key)
-            self.plates.setItemData(self.plates.count() - 1, title, Qt.ItemDataRole.ToolTipRole)
-        self.plates.setEnabled(len(scene.state.keys) > 1)
-        self.plates.setCurrentIndex(self.plates.findData(scene.view.key))
-        self.plates.setToolTip(self.plates.currentText())
-
-    def _show_metric(self, metric: Metric) -> None:
-        self.metrics.setCurrentIndex(self.metrics.findData(metric.key))
-        self.metrics.setToolTip(_meaning(metric))
-        with QSignalBlocker(self.limits):
-            is_angle = metric.unit == DEGREES
-            self.limits.setDecimals(1 if is_angle else 2)
-            self.limits.setSingleStep(1.0 if is_angle else 0.05)
-            self.limits.setSuffix(metric.unit)
-
-
-def _meaning(metric: Metric) -> str:
-    """What a metric is, for its tooltip."""
-    sense = _translated(metric.sense.value)
-    text = _translated("{title}: {formula}.\nAcceptable {low} to {high}, {sense}; ideal {ideal}.\n{source}")
-    low, high, ideal = (f"{value:g}{metric.unit}" for value in (*metric.quads.acceptable, metric.quads.ideal))
-    return text.format(
-        title=metric.title, formula=metric.formula, low=low, high=high, sense=sense, ideal=ideal, source=metric.source
-    )
-
-
-def _translated(text: str) -> str:
-    return QCoreApplication.translate("Choices", text)

@@ -83,7 +83,7 @@ class MainWindow(QMainWindow):
         self.session.settings.theme = chosen.value
         self._themes.show_choice(chosen)
         self._palette = theme.apply(chosen)
-        for dressed in (self.canvas, self.history, self.status, self.messages, self.actions_by_name):
+        for dressed in (self.canvas, self.choices, self.history, self.status, self.messages, self.actions_by_name):
             dressed.set_palette(self._palette)
         self.docks.set_palette(self._palette, self._colours.chosen)
 
@@ -198,12 +198,13 @@ class MainWindow(QMainWindow):
         self.history.position_chosen.connect(session.scrub)
         self.choices.plate_chosen.connect(session.choose_plate)
         self.choices.metric_chosen.connect(session.choose_metric)
-        self.choices.limit_chosen.connect(session.set_limit)
+        self.choices.limit_moved.connect(session.set_limit)
+        self.choices.limit_reset.connect(session.reset_limit)
         self.canvas.picked.connect(lambda row, extend: session.select({row}, extend=extend))
         self.canvas.painted.connect(session.optimizer.run.painted)
         self.canvas.missed.connect(lambda: session.select(()))
         self.docks.connect_to(session, self.canvas)
-        for box in (self.choices.limits, *self.docks.number_boxes()):
+        for box in (*self.choices.limits.boxes, *self.docks.number_boxes()):
             box.lineEdit().returnPressed.connect(self.canvas.setFocus)  # letters are keys again
 
     def _restore(self) -> None:

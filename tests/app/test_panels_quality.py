@@ -7,7 +7,7 @@ from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtGui import QColor, QHelpEvent, QImage
 from PySide6.QtWidgets import QApplication, QToolTip
 
-from hullquad.metrics import metric
+from hullquad.metrics import Scale, Sense, metric
 from hullquad.quality import Quality
 from hullquad_app.colours import DARK, INVERTED, LIGHT, PASS_FAIL
 from hullquad_app.document import Scene, View
@@ -16,6 +16,7 @@ from hullquad_app.panels.figures import counted, plain, shown
 from hullquad_app.panels.quality import QualityPanel
 
 LEFT = Qt.MouseButton.LeftButton
+CORNERS = attrs.evolve(metric("min_angle"), sense=Sense.NEARER, quads=Scale(0, 180, 90, (45, 135)))
 
 
 def judged(values, key="stretch", limit=None, invalid=()):
@@ -111,13 +112,13 @@ def test_a_click_with_shift_extends_the_selection(panel, qtbot):
 def test_the_limit_follows_the_mouse_and_stays_where_it_is_left(panel, qtbot):
     panel.show_scene(scene(judged([0.1, 0.9])))
     dragged, released = [], []
-    panel.limit_dragged.connect(dragged.append)
-    panel.limit_released.connect(released.append)
+    panel.limit_dragged.connect(lambda end, limit: dragged.append((end, limit)))
+    panel.limit_released.connect(lambda end, limit: released.append((end, limit)))
     qtbot.mousePress(panel.chart, LEFT, pos=at(panel, 0.25))
     for value in (0.3, 0.4):
         qtbot.mouseMove(panel.chart, at(panel, value))
     qtbot.mouseRelease(panel.chart, LEFT, pos=at(panel, 0.4))
-    assert dragged[-1] == pytest.approx(0.4, abs=0.011)
+    assert dragged[-1] == (0, pytest.approx(0.4, abs=0.011))
     assert released == [dragged[-1]]
 
 
@@ -133,7 +134,7 @@ def test_escape_gives_up_dragging(panel, qtbot):
     qtbot.mouseMove(panel.chart, at(panel, 0.4))
     with qtbot.waitSignal(panel.limit_released) as signal:
         qtbot.keyClick(panel.chart, Qt.Key.Key_Escape)
-    assert signal.args == [0.25]
+    assert signal.args == [0, 0.25]
 
 
 def test_a_double_click_on_the_limit_takes_back_the_metrics_own(panel, qtbot):
@@ -149,7 +150,26 @@ def test_keys_move_the_limit(panel, qtbot, key, limit):
     panel.show_scene(scene(judged([0.1])))
     with qtbot.waitSignal(panel.limit_released) as signal:
         qtbot.keyClick(panel.chart, key)
-    assert signal.args == [pytest.approx(limit)]
+    assert signal.args == [0, pytest.approx(limit)]
+
+
+@pytest.mark.parametrize(("start", "end", "told"), [(45, 60, (0, 60.0)), (135, 120, (1, 120.0)), (45, 170, (0, 135.0))])
+def test_each_of_two_limits_is_dragged_by_itself_and_stops_at_the_other(panel, qtbot, start, end, told):
+    panel.show_scene(scene(attrs.evolve(judged([50.0, 90.0], "min_angle"), metric=CORNERS, band=CORNERS.band)))
+    qtbot.mousePress(panel.chart, LEFT, pos=at(panel, start))
+    qtbot.mouseMove(panel.chart, at(panel, end))
+    with qtbot.waitSignal(panel.limit_released) as signal:
+        qtbot.mouseRelease(panel.chart, LEFT, pos=at(panel, end))
+    assert signal.args == [told[0], pytest.approx(told[1], abs=1.1)]
+
+
+def test_keys_choose_which_of_two_limits_they_move(panel, qtbot):
+    panel.show_scene(scene(attrs.evolve(judged([50.0, 90.0], "min_angle"), metric=CORNERS, band=CORNERS.band)))
+    for key, told in ((Qt.Key.Key_Up, [1, 136.0]), (Qt.Key.Key_Down, [0, 46.0])):
+        qtbot.keyClick(panel.chart, key)
+        with qtbot.waitSignal(panel.limit_released) as signal:
+            qtbot.keyClick(panel.chart, Qt.Key.Key_Right)
+        assert signal.args == told
 
 
 def test_the_cursor_tells_where_the_limit_can_be_taken(panel, qtbot):

@@ -210,7 +210,7 @@ def test_dragging_the_limit_colours_and_counts_anew(meshed, qtbot):
     assert scene(meshed).quality.limits[0] == pytest.approx(0.8, abs=0.01)
     assert scene(meshed).quality.failing_count > before
     np.testing.assert_array_equal(colours(meshed), element_colours(scene(meshed).quality))
-    assert meshed.choices.limits.value() == pytest.approx(scene(meshed).quality.limits[0], abs=0.005)
+    assert meshed.choices.limits.boxes[0].value() == pytest.approx(scene(meshed).quality.limits[0], abs=0.005)
     assert meshed.session.settings.bands == {"stretch": scene(meshed).band}
 
 
@@ -235,7 +235,7 @@ def test_number_keys_choose_the_metric(meshed, number):
 
 
 def test_letters_are_keys_again_after_a_number_was_typed(meshed, qtbot):
-    box = meshed.choices.limits
+    box = meshed.choices.limits.boxes[0]
     box.setFocus()
     box.selectAll()
     QTest.keyClicks(box, "0.7")

@@ -44,10 +44,14 @@ class Bars:
         count = len(self.now.totals)
         return min(int(share * count), count - 1) if inside else None
 
-    def is_limit_at(self, point: QPointF, reach: float) -> bool:
-        """Whether a point is on the line of the limit."""
-        near = any(abs(point.x() - self.x.at(limit)) <= reach for limit in self.quality.limits)
-        return near and self.y.end - 2 * self.strip.height() <= point.y() <= self.strip.bottom() + self.strip.height()
+    def limit_at(self, point: QPointF, reach: float) -> int | None:
+        """Number of the limit on whose line a point is: of two that lie together the one on the point's side."""
+        if not self.y.end - 2 * self.strip.height() <= point.y() <= self.strip.bottom() + self.strip.height():
+            return None
+        places = [self.x.at(limit) for limit in self.quality.limits]
+        nearest = min(places, key=lambda place: abs(point.x() - place))
+        ends = [end for end, place in enumerate(places) if place == nearest]
+        return ends[-1 if point.x() >= nearest else 0] if abs(point.x() - nearest) <= reach else None
 
     def column(self, number: int) -> QRectF:
         """All of the ground of one bin."""

@@ -1,6 +1,5 @@
 """The histogram that is the legend: bars to click, the limit to drag."""
 
-import attrs
 import numpy as np
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
@@ -10,39 +9,25 @@ from hullquad.histogram import Histogram, histogram
 from hullquad.quality import Quality
 from hullquad_app.colours import COLOUR_MAPS, LIGHT, ColourMap, Palette
 from hullquad_app.document import Scene
+from hullquad_app.limits import limit_words
 from hullquad_app.panels.bars import Bars, bars, draw
 from hullquad_app.panels.figures import CAPTION, sized
+from hullquad_app.panels.handle import REACH, STEPS, Handle
 from hullquad_app.panels.legend import bin_words, draw_legend
-from hullquad_app.panels.limit import draw_limit, draw_triangle_limit, limit_label, limit_step, rounded_limit
+from hullquad_app.panels.limit import draw_limits, draw_triangle_limit
 
-_REACH = 5
-"""How near to the limit's line the mouse takes it [px]."""
-_STEPS = {
-    Qt.Key.Key_Left: -1,
-    Qt.Key.Key_Right: 1,
-    Qt.Key.Key_PageDown: -10,
-    Qt.Key.Key_PageUp: 10,
-}
 _EXTENDS = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifier
-
-
-@attrs.define
-class _Drag:
-    """The limit in the user's hand."""
-
-    before: float
-    now: float
 
 
 class HistogramChart(QWidget):
     """Elements by value; says which bar was clicked and where the limit was moved to."""
 
-    limit_dragged = Signal(float)
-    """The limit while the mouse has it."""
-    limit_released = Signal(float)
-    """The limit where it was left, by mouse or key."""
+    limit_dragged = Signal(int, float)
+    """Number and value of a limit while the mouse has it."""
+    limit_released = Signal(int, float)
+    """Number and value of a limit where it was left, by mouse or key."""
     limit_reset = Signal()
-    """The metric's own limit is wanted again."""
+    """The metric's own limits are wanted again."""
     selected = Signal(object, bool)
     """Rows of the elements of a bar (frozenset), and whether they extend the selection."""
 
@@ -54,9 +39,9 @@ class HistogramChart(QWidget):
         self._selection: frozenset[int] = frozenset()
         self._now: Histogram | None = None
         self._first: Histogram | None = None
-        self._drag: _Drag | None = None
+        self._handle = Handle()
         self._hovered: int | None = None
-        self._at_limit = False
+        self._hovered_limit: int | None = None
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
@@ -97,12 +82,16 @@ class HistogramChart(QWidget):
         before, self._now, self._first = self._now, None, None
         if self._quality is None or not len(self._quality.values):
             return
-        edges = before.edges if self._drag is not None and before is not None else None  # the ground stays still
+        edges = before.edges if self._handle.is_held and before is not None else None  # the ground stays still
         self._now = histogram(self._quality, edges)
         if self._first_quality is not None and self._first_quality is not self._quality:
             self._first = histogram(self._first_quality, self._now.edges)
-        text = self.tr("limit {limit}; the arrow keys move it").format(limit=limit_label(self._quality))
-        self.setAccessibleDescription(text)
+        self.setAccessibleDescription(self._description(self._quality))
+
+    def _description(self, quality: Quality) -> str:
+        one = self.tr("limit {limit}; Left and Right move it")
+        two = self.tr("limits {limit}; Left and Right move one of them, Up and Down choose which")
+        return (two if quality.metric.is_two_sided else one).format(limit=limit_words(quality.metric, quality.band))
 
     def _plot(self) -> Bars | None:
         if self._quality is None or self._now is None:
@@ -129,31 +118,31 @@ class HistogramChart(QWidget):
         draw(painter, plot, self._palette, self._map)
         draw_triangle_limit(painter, plot, self._palette)
         draw_legend(painter, plot, self._palette, self._map)
-        lively = self._at_limit or self._drag is not None or self.hasFocus()
-        draw_limit(painter, plot, self._palette, lively=lively)
+        draw_limits(painter, plot, self._palette, self._lively(plot.quality))
+
+    def _lively(self, quality: Quality) -> int | None:
+        """Number of the limit that mouse or keys would move now."""
+        if self._hovered_limit is not None and not self._handle.is_held:
+            return self._hovered_limit
+        return self._handle.end_among(quality) if self._handle.is_held or self.hasFocus() else None
 
     def mouseMoveEvent(self, move: QMouseEvent) -> None:
         """Drag the limit, or show what is under the mouse."""
         plot = self._plot()
         if plot is None:
             return
-        if self._drag is not None:
-            value = rounded_limit(plot.now, plot.x.value(move.position().x()))
-            if value != self._drag.now:
-                self._drag.now = value
-                self.limit_dragged.emit(value)
-            return
-        self._hover(plot, move.position())
+        if not self._handle.is_held:
+            self._hover(plot, move.position())
+        elif (value := self._handle.drag(plot, move.position())) is not None:
+            self.limit_dragged.emit(self._handle.end, value)
 
     def mousePressEvent(self, press: QMouseEvent) -> None:
         """Take the limit, or select a bar."""
         plot = self._plot()
         if plot is None or press.button() != Qt.MouseButton.LeftButton:
             return
-        if plot.is_limit_at(press.position(), _REACH):
-            at = press.position().x()
-            limit = min(plot.quality.limits, key=lambda end: abs(plot.x.at(end) - at))
-            self._drag = _Drag(limit, limit)
+        if self._handle.take(plot, press.position()):
+            self.update()
             return
         number = plot.bin_at(press.position())
         extend = bool(press.modifiers() & _EXTENDS)
@@ -163,12 +152,12 @@ class HistogramChart(QWidget):
 
     def mouseReleaseEvent(self, _: QMouseEvent) -> None:
         """Leave the limit where it is."""
-        self._let_go(None)
+        self._let_go(give_up=False)
 
     def mouseDoubleClickEvent(self, press: QMouseEvent) -> None:
         """Take back the metric's own limit."""
         plot = self._plot()
-        if plot is not None and plot.is_limit_at(press.position(), _REACH):
+        if plot is not None and plot.limit_at(press.position(), REACH) is not None:
             self.limit_reset.emit()
         else:
             self.mousePressEvent(press)
@@ -176,17 +165,20 @@ class HistogramChart(QWidget):
     def leaveEvent(self, leaving: QEvent) -> None:
         """Nothing is under the mouse."""
         super().leaveEvent(leaving)
-        self._hovered, self._at_limit = None, False
+        self._hovered = self._hovered_limit = None
         self.update()
 
     def keyPressEvent(self, press: QKeyEvent) -> None:
         """Move the limit by arrows, take back the metric's own by Delete; Escape gives up dragging."""
         key = Qt.Key(press.key())
-        if key == Qt.Key.Key_Escape and self._drag is not None:
-            self._let_go(self._drag.before)
-        elif self._quality is not None and self._now is not None and key in _STEPS:
-            limit = self._quality.limits[0] + _STEPS[key] * limit_step(self._now)
-            self.limit_released.emit(rounded_limit(self._now, limit))
+        if key == Qt.Key.Key_Escape and self._handle.is_held:
+            self._let_go(give_up=True)
+        elif self._quality is not None and self._now is not None and key in STEPS:
+            limit = self._handle.stepped(self._quality, self._now, key)
+            self.limit_released.emit(self._handle.end, limit)
+        elif key in (Qt.Key.Key_Up, Qt.Key.Key_Down):
+            self._handle.end = int(key == Qt.Key.Key_Up)
+            self.update()
         elif key in (Qt.Key.Key_Delete, Qt.Key.Key_Backspace):
             self.limit_reset.emit()
         else:
@@ -203,7 +195,7 @@ class HistogramChart(QWidget):
         plot = self._plot()
         if plot is None:
             return ""
-        if plot.is_limit_at(QPointF(at), _REACH):
+        if plot.limit_at(QPointF(at), REACH) is not None:
             return self.tr("Drag to move the limit, double-click to take back the metric's own")
         number = plot.bin_at(QPointF(at))
         if number is None:
@@ -211,20 +203,20 @@ class HistogramChart(QWidget):
         return bin_words(plot, number)
 
     def _hover(self, plot: Bars, point: QPointF) -> None:
-        at_limit = plot.is_limit_at(point, _REACH)
-        number = None if at_limit else plot.bin_at(point)
+        limit = plot.limit_at(point, REACH)
+        number = None if limit is not None else plot.bin_at(point)
         number = number if number is not None and plot.now.totals[number] else None
-        if (at_limit, number) == (self._at_limit, self._hovered):
+        if (limit, number) == (self._hovered_limit, self._hovered):
             return
-        self._at_limit, self._hovered = at_limit, number
+        self._hovered_limit, self._hovered = limit, number
         bar = Qt.CursorShape.ArrowCursor if number is None else Qt.CursorShape.PointingHandCursor
-        self.setCursor(Qt.CursorShape.SplitHCursor if at_limit else bar)
+        self.setCursor(bar if limit is None else Qt.CursorShape.SplitHCursor)
         self.update()
 
-    def _let_go(self, limit: float | None) -> None:
-        drag, self._drag = self._drag, None
-        if drag is not None and drag.now != drag.before:
-            self.limit_released.emit(drag.now if limit is None else limit)
+    def _let_go(self, *, give_up: bool) -> None:
+        limit = self._handle.release(give_up=give_up)
+        if limit is not None:
+            self.limit_released.emit(self._handle.end, limit)
         self.update()
 
     def _letters_size(self, wide: int, high: int) -> QSize:

@@ -25,20 +25,24 @@ def rounded_limit(now: Histogram, limit: float) -> float:
     return round(round(inside / step) * step, 9)
 
 
-def draw_limit(painter: QPainter, plot: Bars, palette: Palette, *, lively: bool) -> None:
-    """Draw each limit as a line with its value; in the accent colour while it can be moved."""
-    for limit in plot.quality.limits:
-        _draw_line(painter, plot, palette, limit, lively=lively)
+def draw_limits(painter: QPainter, plot: Bars, palette: Palette, lively: int | None) -> None:
+    """Draw each limit as a line with its value; in the accent colour the one that can be moved now."""
+    limits = plot.quality.limits
+    for number, limit in enumerate(limits):
+        is_lower = number == 0 and len(limits) > 1
+        _draw_line(painter, plot, palette, limit, lively=number == lively, on_left=is_lower)
 
 
-def _draw_line(painter: QPainter, plot: Bars, palette: Palette, limit: float, *, lively: bool) -> None:
+def _draw_line(painter: QPainter, plot: Bars, palette: Palette, limit: float, *, lively: bool, on_left: bool) -> None:
+    """The value stands on the outer side of a band with two ends, else at the right where there is room."""
     line, text = plot.strip.height() * 2, _tr("limit {limit}").format(limit=plain(limit, plot.quality.metric))
     at, colour = round(plot.x.at(limit)), QColor(palette.accent if lively else palette.text)
     painter.setPen(QPen(colour, 2 if lively else 1.5))
     painter.drawLine(QLineF(at, plot.y.end - 1.3 * line, at, plot.strip.bottom() + 2))
     width = painter.fontMetrics().horizontalAdvance(text)
-    fits = at + width + 0.4 * line < plot.x.end + 0.7 * line
-    left = at + 0.3 * line if fits else at - 0.3 * line - width
+    fits_right = at + width + 0.4 * line < plot.x.end + 0.7 * line
+    fits_left = at - width - 0.4 * line > 0
+    left = at - 0.3 * line - width if fits_left and (on_left or not fits_right) else at + 0.3 * line
     painter.drawText(QRectF(left, plot.y.end - 1.4 * line, width + 1, line), _LEFT, text)
 
 
@@ -64,11 +68,6 @@ def draw_triangle(painter: QPainter, centre: QPointF, reach: float, palette: Pal
     painter.setPen(QPen(QColor(palette.panel), 1))
     painter.setBrush(QBrush(QColor(palette.text)))
     painter.drawPolygon(QPolygonF([centre + corner for corner in shape]))
-
-
-def limit_label(quality: Quality) -> str:
-    """The limit with its unit; both of a two-sided metric."""
-    return " – ".join(plain(limit, quality.metric) for limit in quality.limits)
 
 
 def _tr(text: str) -> str:

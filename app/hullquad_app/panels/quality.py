@@ -13,12 +13,12 @@ from hullquad_app.panels.key_figures import KeyFigures
 class QualityPanel(QWidget):
     """How good the shown mesh is by the chosen metric; its limit can be moved here."""
 
-    limit_dragged = Signal(float)
-    """The limit while the mouse has it."""
-    limit_released = Signal(float)
-    """The limit where it was left, by mouse or key."""
+    limit_dragged = Signal(int, float)
+    """Number and value of a limit while the mouse has it."""
+    limit_released = Signal(int, float)
+    """Number and value of a limit where it was left, by mouse or key."""
     limit_reset = Signal()
-    """The metric's own limit is wanted again."""
+    """The metric's own limits are wanted again."""
     selected = Signal(object, bool)
     """Rows of the elements of a bar (frozenset), and whether they extend the selection."""
 

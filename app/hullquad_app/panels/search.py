@@ -6,7 +6,6 @@ import attrs
 from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtWidgets import (
     QCheckBox,
-    QComboBox,
     QFormLayout,
     QFrame,
     QLabel,
@@ -17,10 +16,11 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from hullquad.metrics import METRICS
+from hullquad.metrics import OBJECTIVES
 from hullquad.optimization.settings import PaperSettings
 from hullquad_app.colours import LIGHT, Palette
 from hullquad_app.document import Scene
+from hullquad_app.grouped_box import Choice, GroupedBox, metric_choices
 from hullquad_app.panels.figures import CAPTION, sized
 from hullquad_app.panels.ground import coloured, dress
 from hullquad_app.panels.outcome import Outcome
@@ -41,10 +41,9 @@ class SearchPanel(QWidget):
         super().__init__()
         self._settings = PaperSettings()
         self._scene = Scene()
-        self.objective = QComboBox()
-        self.objective.addItem(self.tr("the metric that is shown"), None)
-        for row in METRICS:
-            self.objective.addItem(row.title, row.key)
+        self.objective = GroupedBox()
+        same = Choice("", self.tr("the metric that is shown"), None)
+        self.objective.fill([same, *metric_choices(OBJECTIVES)])
         self.step = ScaleSpin(1e-7, 10.0)
         self.step.setSuffix(self.tr(" · h²"))
         self.length = QLabel()
@@ -68,7 +67,7 @@ class SearchPanel(QWidget):
         with ExitStack() as quiet:
             for widget in (self.objective, self.step, self.iterations, self.tolerance, self.guard):
                 quiet.enter_context(QSignalBlocker(widget))
-            self.objective.setCurrentIndex(max(self.objective.findData(objective), 0))
+            self.objective.show_choice(objective)
             self.step.setValue(settings.step)
             self.iterations.setValue(settings.iterations)
             self.tolerance.setValue(settings.tolerance)
@@ -91,7 +90,7 @@ class SearchPanel(QWidget):
         self.outcome.set_palette(palette)
 
     def _connect(self) -> None:
-        self.objective.activated.connect(self._choose_objective)
+        self.objective.chosen.connect(self._choose_objective)
         self.step.valueChanged.connect(lambda value: self._change(attrs.evolve(self._settings, step=value)))
         self.iterations.valueChanged.connect(lambda value: self._change(attrs.evolve(self._settings, iterations=value)))
         self.tolerance.valueChanged.connect(lambda value: self._change(attrs.evolve(self._settings, tolerance=value)))
