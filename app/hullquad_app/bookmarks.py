@@ -1,7 +1,7 @@
 """Where each plate was left: which of its iterates was shown last."""
 
 from hullquad.optimization.iterate import Iterate
-from hullquad_app.document import Scene
+from hullquad_app.scene import Scene
 from hullquad_app.track import Track
 
 

@@ -12,10 +12,10 @@ from hullquad.quality import Quality
 from hullquad_app.assets import FOLDER
 from hullquad_app.canvas.ruler import nice_length, written
 from hullquad_app.colours import INVERTED, LIGHT, ColourMap
-from hullquad_app.document import Scene
 from hullquad_app.limits import limit_words
 from hullquad_app.panels.axis import Axis, labels, ticks
 from hullquad_app.panels.figures import counted, plain, shown
+from hullquad_app.scene import Scene
 
 MARGIN = 48
 HEADER, FOOTER = 128, 116

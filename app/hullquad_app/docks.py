@@ -6,13 +6,13 @@ from PySide6.QtWidgets import QAbstractSpinBox, QDockWidget, QMainWindow, QScrol
 
 from hullquad_app.canvas import Canvas
 from hullquad_app.colours import ColourMap, Palette
-from hullquad_app.document import Scene
 from hullquad_app.panels.meshing import MeshingPanel
 from hullquad_app.panels.objective import ObjectivePanel
 from hullquad_app.panels.plates import PlatesPanel
 from hullquad_app.panels.quality import QualityPanel
 from hullquad_app.panels.search import SearchPanel
 from hullquad_app.panels.worst import WorstPanel
+from hullquad_app.scene import Scene
 from hullquad_app.session import Session
 
 _WIDTH = 66

@@ -5,9 +5,9 @@ from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPolygonF
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSlider, QStyle, QStyleOptionSlider, QWidget
 
 from hullquad_app.colours import COLOUR_MAPS, LIGHT, ColourMap, Palette
-from hullquad_app.document import Scene
 from hullquad_app.panels.figures import sized
 from hullquad_app.panels.ground import coloured
+from hullquad_app.scene import Scene
 
 _LEAST_DIGITS = 3
 """Room for iterates up to 999 from the start, so that the slider seldom changes its length."""

@@ -13,8 +13,8 @@ from hullquad.mesh import Mesh
 from hullquad.metrics import Metric
 from hullquad.plate import Document
 from hullquad_app import work
-from hullquad_app.document import State
 from hullquad_app.mailbox import Mailbox
+from hullquad_app.scene import State
 from hullquad_app.work import Attempt, Progress, Size, Work
 
 WAIT = 30

@@ -16,7 +16,7 @@ from hullquad.metrics import METRICS, Metric, metric
 from hullquad_app import libraries
 
 if TYPE_CHECKING:
-    from hullquad_app.document import Scene
+    from hullquad_app.scene import Scene
 
 DONE, REFUSED, USAGE, INTERRUPTED = 0, 1, 2, 130
 _SCALES = (1, 2, 3, 4)
@@ -56,7 +56,7 @@ def _run(options: Namespace) -> None:
 def _scene(mesh: Mesh, path: Path, chosen: Metric, limit: float | None) -> "Scene":
     """The mesh as a document of its own, looked at by a metric and a limit."""
     from hullquad.optimization.paper import unmoved  # noqa: PLC0415  brings Numba
-    from hullquad_app.document import Scene, State, View, resolved  # noqa: PLC0415
+    from hullquad_app.scene import Scene, State, View, resolved  # noqa: PLC0415
     from hullquad_app.track import Track  # noqa: PLC0415
 
     key = mesh.plate_id or path.stem

@@ -17,7 +17,7 @@ from hullquad.sight import plan
 from hullquad_app.canvas.camera import Camera
 from hullquad_app.caption import FOOTER, HEADER, MARGIN, Pen, write_footer, write_header
 from hullquad_app.colours import BROKEN, LIGHT, ColourMap
-from hullquad_app.document import Scene
+from hullquad_app.scene import Scene
 
 WIDTH, HEIGHT = 1600, 1000
 """[pixels at scale 1]"""

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from hullquad.metrics import Metric
 from hullquad.optimization.iterate import Iterate
 from hullquad.optimization.stops import Stop
-from hullquad_app.document import Scene, State
+from hullquad_app.scene import Scene, State
 from hullquad_app.track import Track
 
 

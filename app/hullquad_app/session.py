@@ -14,9 +14,10 @@ from hullquad.optimization.settings import PaperSettings
 from hullquad.optimization.stops import Stop
 from hullquad_app.abilities import Abilities, abilities
 from hullquad_app.bookmarks import Bookmarks
-from hullquad_app.document import Document, Scene
+from hullquad_app.document import Document
 from hullquad_app.limits import with_limit
 from hullquad_app.optimizer import Optimizer
+from hullquad_app.scene import Scene
 from hullquad_app.settings import Settings
 from hullquad_app.track import Track
 from hullquad_app.work import Size

@@ -8,9 +8,9 @@ from hullquad.mesh import Mesh
 from hullquad.metrics import Metric
 from hullquad.optimization.iterate import Iterate
 from hullquad_app.colours import COLOUR_MAPS, LIGHT, ColourMap, Palette
-from hullquad_app.document import Scene
 from hullquad_app.panels.figures import counted, shown, sized, summed
 from hullquad_app.panels.ground import coloured
+from hullquad_app.scene import Scene
 
 
 class Sentence(QLabel):

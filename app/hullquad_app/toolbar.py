@@ -5,11 +5,11 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
 
 from hullquad.metrics import METRICS
 from hullquad_app.colours import Palette
-from hullquad_app.document import Scene
 from hullquad_app.grouped_box import GroupedBox, metric_choices
 from hullquad_app.limit_boxes import LimitBoxes
 from hullquad_app.metric_words import meaning
 from hullquad_app.plate_box import PlateBox
+from hullquad_app.scene import Scene
 
 
 class Choices(QWidget):

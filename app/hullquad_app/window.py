@@ -14,11 +14,11 @@ from hullquad_app.canvas import Canvas
 from hullquad_app.colour_menu import ColourMenu
 from hullquad_app.colours import LIGHT, ColourMap, Theme
 from hullquad_app.docks import Docks
-from hullquad_app.document import Scene, State
 from hullquad_app.filing import Filing
 from hullquad_app.history_bar import HistoryBar
 from hullquad_app.message_bar import MessageBar
 from hullquad_app.recent import RecentFiles
+from hullquad_app.scene import Scene, State
 from hullquad_app.session import Session
 from hullquad_app.status import StatusBar
 from hullquad_app.theme_menu import ThemeMenu

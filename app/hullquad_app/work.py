@@ -18,7 +18,7 @@ from hullquad.mesh import Mesh
 from hullquad.metrics import Metric
 from hullquad.plate import Document
 from hullquad.quality import quality
-from hullquad_app.document import State
+from hullquad_app.scene import State
 from hullquad_app.track import Track
 
 if TYPE_CHECKING:

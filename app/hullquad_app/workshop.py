@@ -10,8 +10,9 @@ from PySide6.QtCore import QObject, Signal
 from hullquad.errors import HullquadError
 from hullquad.mesh import Mesh
 from hullquad.plate import Notice
-from hullquad_app.document import Document, State
+from hullquad_app.document import Document
 from hullquad_app.jobs import Jobs
+from hullquad_app.scene import State
 from hullquad_app.work import Division, Meshed, Progress, Size
 
 KEPT_DIVISIONS = 16

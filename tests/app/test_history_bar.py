@@ -4,8 +4,8 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 
 from hullquad_app.colours import DARK
-from hullquad_app.document import Scene
 from hullquad_app.history_bar import HistoryBar
+from hullquad_app.scene import Scene
 from hullquad_app.track import Track
 
 

@@ -10,8 +10,8 @@ from hullquad import pipeline, worker
 from hullquad.errors import FileError, MeshingError, PlateError
 from hullquad.formats import read_plates
 from hullquad.metrics import metric
-from hullquad_app.document import State
 from hullquad_app.jobs import Job, Jobs
+from hullquad_app.scene import State
 from hullquad_app.work import Progress
 
 PLATES = Path(__file__).parents[2] / "assets" / "plates"

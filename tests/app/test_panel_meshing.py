@@ -9,8 +9,9 @@ from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QPushButton
 from hullquad.formats import read_plates
 from hullquad.triangulation.contour import attempts
 from hullquad_app.abilities import Abilities
-from hullquad_app.document import Document, State
+from hullquad_app.document import Document
 from hullquad_app.panels.meshing import MeshingPanel
+from hullquad_app.scene import State
 from hullquad_app.work import Division
 
 PLATES = Path(__file__).parents[2] / "assets" / "plates"

@@ -13,9 +13,10 @@ from hullquad.metrics import METRICS, metric
 from hullquad.optimization.paper import PaperSettings, paper_iterates, unmoved
 from hullquad.triangulation.contour import contours
 from hullquad_app.colours import DARK
-from hullquad_app.document import Document, State
+from hullquad_app.document import Document
 from hullquad_app.panels.scale_spin import ScaleSpin
 from hullquad_app.panels.search import SearchPanel
+from hullquad_app.scene import State
 from hullquad_app.track import Track
 
 HOPPER = Path(__file__).parents[2] / "assets" / "plates" / "hopper_partition.json"

@@ -12,9 +12,9 @@ from PySide6.QtWidgets import QApplication, QToolTip
 from hullquad.metrics import metric
 from hullquad.optimization.paper import paper_iterates
 from hullquad_app.colours import DARK
-from hullquad_app.document import Scene
 from hullquad_app.panels.course import course, thinned
 from hullquad_app.panels.objective import ObjectivePanel
+from hullquad_app.scene import Scene
 from hullquad_app.track import Track
 
 

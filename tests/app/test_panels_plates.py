@@ -10,9 +10,9 @@ from PySide6.QtCore import Qt
 from hullquad.formats import read_plates
 from hullquad.metrics import metric
 from hullquad.quality import quality
-from hullquad_app.document import Scene, State, View
 from hullquad_app.panels.plate_rows import COLUMNS
 from hullquad_app.panels.plates import PlatesPanel
+from hullquad_app.scene import Scene, State, View
 
 BLOCK = Path(__file__).parents[2] / "assets" / "plates" / "hopper_block.json"
 

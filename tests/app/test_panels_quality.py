@@ -10,10 +10,10 @@ from PySide6.QtWidgets import QApplication, QToolTip
 from hullquad.metrics import Scale, Sense, metric
 from hullquad.quality import Quality
 from hullquad_app.colours import DARK, INVERTED, LIGHT, PASS_FAIL
-from hullquad_app.document import Scene, View
 from hullquad_app.panels.axis import Axis, labels, ticks, top
 from hullquad_app.panels.figures import counted, plain, shown
 from hullquad_app.panels.quality import QualityPanel
+from hullquad_app.scene import Scene, View
 
 LEFT = Qt.MouseButton.LeftButton
 CORNERS = attrs.evolve(metric("min_angle"), sense=Sense.NEARER, quads=Scale(0, 180, 90, (45, 135)))

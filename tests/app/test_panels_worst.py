@@ -9,9 +9,9 @@ from PySide6.QtGui import QColor, QImage
 from hullquad.metrics import metric
 from hullquad.quality import quality
 from hullquad_app.colours import DARK, INVERTED, LIGHT
-from hullquad_app.document import Scene, View
 from hullquad_app.panels.elements import COLUMNS
 from hullquad_app.panels.worst import WorstPanel
+from hullquad_app.scene import Scene, View
 from hullquad_app.track import Track
 
 DISPLAY = Qt.ItemDataRole.DisplayRole

@@ -16,7 +16,7 @@ from hullquad.metrics import metric
 from hullquad.optimization.paper import PaperSettings, unmoved
 from hullquad.triangulation.contour import contours
 from hullquad_app.abilities import Abilities
-from hullquad_app.document import State
+from hullquad_app.scene import State
 from hullquad_app.session import Session
 from hullquad_app.settings import Settings
 from hullquad_app.track import Track

@@ -10,7 +10,7 @@ from hullquad.optimization.iterate import Iterate
 from hullquad.optimization.paper import objective_sum
 from hullquad.quality import quality
 from hullquad_app.colours import DARK
-from hullquad_app.document import Scene, View
+from hullquad_app.scene import Scene, View
 from hullquad_app.status import StatusBar
 from hullquad_app.track import Track
 

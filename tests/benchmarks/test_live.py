@@ -17,7 +17,7 @@ from PySide6.QtTest import QTest
 from hullquad.mesh import Mesh
 from hullquad.metrics import metric
 from hullquad.optimization.paper import PaperSettings, unmoved
-from hullquad_app.document import State
+from hullquad_app.scene import State
 from hullquad_app.session import Session
 from hullquad_app.settings import Settings
 from hullquad_app.track import Track

@@ -17,7 +17,8 @@ from hullquad.metrics import metric
 from hullquad.optimization.paper import unmoved
 from hullquad.triangulation.contour import contours
 from hullquad_app.canvas import Canvas
-from hullquad_app.document import Document, State
+from hullquad_app.document import Document
+from hullquad_app.scene import State
 from hullquad_app.track import Track
 
 PLATES = Path(__file__).parents[2] / "assets" / "plates"

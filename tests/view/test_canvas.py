@@ -13,7 +13,7 @@ from hullquad.formats import read_plates
 from hullquad.topology import edges
 from hullquad_app.canvas import Canvas
 from hullquad_app.colours import DARK, LIGHT, PASS_FAIL, element_colours, rgb
-from hullquad_app.document import State
+from hullquad_app.scene import State
 
 LEFT, MIDDLE = Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton
 NONE, SHIFT = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier

@@ -13,7 +13,8 @@ from PySide6.QtGui import QGuiApplication
 from hullquad.errors import HullquadError
 from hullquad_app import pictures
 from hullquad_app.colours import BROKEN, INVERTED, PASS_FAIL, rgb
-from hullquad_app.document import Document, State
+from hullquad_app.document import Document
+from hullquad_app.scene import State
 
 GOLDEN = Path(__file__).parents[2] / "assets" / "golden"
 CLOSE = 2.0

@@ -15,8 +15,8 @@ from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QMessageBox
 from hullquad.formats import read_mesh
 from hullquad.metrics import METRICS
 from hullquad_app.colours import Theme, element_colours
-from hullquad_app.document import State
 from hullquad_app.faults import Faults
+from hullquad_app.scene import State
 from hullquad_app.session import Session
 from hullquad_app.settings import Settings
 from hullquad_app.theme_menu import ThemeMenu

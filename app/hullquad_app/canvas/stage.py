@@ -15,7 +15,7 @@ from hullquad.topology import Topology, edges, half_edges
 from hullquad.triangulation.contour import Contour, attempts
 from hullquad_app.canvas.layer import Layer
 from hullquad_app.colours import BROKEN, INVERTED, ColourMap, Palette, element_colours, rgb
-from hullquad_app.document import Scene
+from hullquad_app.scene import Scene
 
 LAYERS = {
     "elements": (0, 1.0),

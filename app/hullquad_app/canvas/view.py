@@ -18,7 +18,7 @@ from hullquad_app.canvas.surface_format import hold_place, set_surface_format
 from hullquad_app.canvas.tip import tip
 from hullquad_app.canvas.viewpoint import Viewpoint
 from hullquad_app.colours import BROKEN, LIGHT, ColourMap, Palette
-from hullquad_app.document import Scene
+from hullquad_app.scene import Scene
 
 if TYPE_CHECKING:
     from hullquad_app.canvas.interactor import Interactor

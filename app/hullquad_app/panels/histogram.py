@@ -8,13 +8,13 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 from hullquad.histogram import Histogram, histogram
 from hullquad.quality import Quality
 from hullquad_app.colours import COLOUR_MAPS, LIGHT, ColourMap, Palette
-from hullquad_app.document import Scene
 from hullquad_app.limits import limit_words
 from hullquad_app.panels.bars import Bars, bars, draw
 from hullquad_app.panels.figures import CAPTION, sized
 from hullquad_app.panels.handle import REACH, STEPS, Handle
 from hullquad_app.panels.legend import bin_words, draw_legend
 from hullquad_app.panels.limit import draw_limits, draw_triangle_limit
+from hullquad_app.scene import Scene
 
 _EXTENDS = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifier
 

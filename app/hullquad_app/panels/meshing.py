@@ -20,8 +20,8 @@ from hullquad.errors import HullquadError, MeshingError
 from hullquad.plate import Plate
 from hullquad_app.abilities import Abilities
 from hullquad_app.colours import LIGHT, Palette
-from hullquad_app.document import Scene
 from hullquad_app.panels.ground import coloured, dress
+from hullquad_app.scene import Scene
 from hullquad_app.work import Division, Size
 
 if TYPE_CHECKING:

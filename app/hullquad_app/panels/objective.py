@@ -5,13 +5,13 @@ from PySide6.QtGui import QColor, QFontMetricsF, QHelpEvent, QKeyEvent, QMouseEv
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from hullquad_app.colours import COLOUR_MAPS, LIGHT, ColourMap, Palette
-from hullquad_app.document import Scene
 from hullquad_app.panels.axis import Axis, ticks
 from hullquad_app.panels.band import Band, bands, draw_course, draw_frame, draw_mark, draw_ring, draw_station
 from hullquad_app.panels.course import Course, course
 from hullquad_app.panels.figures import CAPTION, counted, shown, sized, summed
 from hullquad_app.panels.ground import dress
 from hullquad_app.panels.pace import Pace
+from hullquad_app.scene import Scene
 from hullquad_app.track import Track
 
 _CENTRE = Qt.AlignmentFlag.AlignCenter

@@ -5,9 +5,9 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWi
 
 from hullquad.optimization.iterate import Iterate
 from hullquad_app.colours import INVERTED, LIGHT, Palette
-from hullquad_app.document import Scene
 from hullquad_app.panels.figures import counted, shown, sized, summed
 from hullquad_app.panels.ground import coloured
+from hullquad_app.scene import Scene
 
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _NONE = "–"

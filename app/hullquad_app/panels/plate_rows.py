@@ -10,8 +10,8 @@ from hullquad.mesh import Mesh
 from hullquad.quality import Quality, quality
 from hullquad.surface import Plane
 from hullquad_app.colours import LIGHT, Palette
-from hullquad_app.document import Scene
 from hullquad_app.panels.figures import counted, shown
+from hullquad_app.scene import Scene
 from hullquad_app.track import Track
 
 COLUMNS = ("plate", "title", "state", "worst")

@@ -4,11 +4,11 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHeaderView, QVBoxLayout, QWidget
 
 from hullquad_app.colours import COLOUR_MAPS, LIGHT, ColourMap, Palette
-from hullquad_app.document import Scene
 from hullquad_app.panels.ground import dress
 from hullquad_app.panels.pace import Pace
 from hullquad_app.panels.plate_rows import COLUMNS, PlateModel
 from hullquad_app.panels.table import Table
+from hullquad_app.scene import Scene
 
 _SAMPLES = {"state": ("curved: not yet", "100 failing"), "worst": ("00.000",)}
 """Long texts of the columns with a width of their own."""

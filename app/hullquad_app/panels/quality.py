@@ -4,10 +4,10 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from hullquad_app.colours import COLOUR_MAPS, LIGHT, ColourMap, Palette
-from hullquad_app.document import Scene
 from hullquad_app.panels.ground import dress
 from hullquad_app.panels.histogram import HistogramChart
 from hullquad_app.panels.key_figures import KeyFigures
+from hullquad_app.scene import Scene
 
 
 class QualityPanel(QWidget):

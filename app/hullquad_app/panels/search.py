@@ -19,12 +19,12 @@ from PySide6.QtWidgets import (
 from hullquad.metrics import OBJECTIVES
 from hullquad.optimization.settings import PaperSettings
 from hullquad_app.colours import LIGHT, Palette
-from hullquad_app.document import Scene
 from hullquad_app.grouped_box import Choice, GroupedBox, metric_choices
 from hullquad_app.panels.figures import CAPTION, sized
 from hullquad_app.panels.ground import coloured, dress
 from hullquad_app.panels.outcome import Outcome
 from hullquad_app.panels.scale_spin import ScaleSpin
+from hullquad_app.scene import Scene
 
 _MOST_ITERATIONS = 1_000_000
 

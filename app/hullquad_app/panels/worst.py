@@ -4,11 +4,11 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QHeaderView, QVBoxLayout, QWidget
 
 from hullquad_app.colours import COLOUR_MAPS, LIGHT, ColourMap, Palette
-from hullquad_app.document import Scene
 from hullquad_app.panels.elements import COLUMNS, WorstModel
 from hullquad_app.panels.ground import dress
 from hullquad_app.panels.pace import Pace
 from hullquad_app.panels.table import Table
+from hullquad_app.scene import Scene
 
 _SAMPLES = {
     "element": ("0000",),

@@ -1,0 +1,134 @@
+"""What is open, how it is looked at, and what is on the screen then: values that never change."""
+
+from collections.abc import Mapping
+from pathlib import Path
+
+import attrs
+
+from hullquad.mesh import Mesh
+from hullquad.metrics import Band, Metric, metric
+from hullquad.optimization.iterate import Iterate
+from hullquad.plate import Document as PlateDocument
+from hullquad.plate import Plate
+from hullquad.quality import Quality, quality
+from hullquad_app.track import Track
+
+
+@attrs.frozen(eq=False, kw_only=True)
+class State:
+    """What is open and what has become of it: all that undo brings back."""
+
+    title: str = ""
+    path: Path | None = None
+    """File it was opened from."""
+    plates: PlateDocument | None = None
+    """None where a mesh was opened, or nothing."""
+    tracks: Mapping[str, Track] = attrs.field(factory=dict)
+    """Meshed plates by id; a mesh that was opened by its plate's id or its file's name."""
+
+    @property
+    def keys(self) -> tuple[str, ...]:
+        """Ids of all that can be shown, in order."""
+        return tuple(self.tracks) if self.plates is None else tuple(plate.id for plate in self.plates.plates)
+
+    def plate(self, key: str) -> Plate | None:
+        """Plate of that id, where the document has plates."""
+        if self.plates is None:
+            return None
+        return next((plate for plate in self.plates.plates if plate.id == key), None)
+
+    def with_track(self, key: str, track: Track) -> "State":
+        """The state with another track of a plate."""
+        return attrs.evolve(self, tracks={**self.tracks, key: track})
+
+
+@attrs.frozen(eq=False, kw_only=True)
+class View:
+    """How the document is looked at: changes nothing in it, and is not undone."""
+
+    key: str | None = None
+    """The plate that is shown."""
+    position: int = -1
+    """Which iterate of its track; -1 the last."""
+    metric: Metric = attrs.field(factory=lambda: metric("stretch"))
+    bands: Mapping[str, Band] = attrs.field(factory=dict)
+    """What the user accepts by metric key, where it differs from the metric's own band."""
+    selection: frozenset[int] = frozenset()
+    """Rows of the selected elements."""
+
+
+@attrs.frozen(eq=False, kw_only=True)
+class Scene:
+    """All that is on the screen at one moment, resolved: widgets read this and nothing else."""
+
+    state: State = attrs.field(factory=State)
+    view: View = attrs.field(factory=View)
+    plate: Plate | None = None
+    """The plate that is shown; None where a mesh without plate is, or nothing."""
+    track: Track | None = None
+    """Of the plate that is shown; while a run goes on, with its iterates so far."""
+    position: int = 0
+    """Of the shown iterate in the track."""
+    quality: Quality | None = None
+    """Quality of the shown mesh by the chosen metric and limit: one value for view, histogram, table, status bar."""
+    first_quality: Quality | None = None
+    """The same of the mesh as it was made or loaded."""
+    running: bool = False
+
+    @property
+    def iterate(self) -> Iterate | None:
+        """The shown iterate."""
+        return None if self.track is None else self.track.iterates[self.position]
+
+    @property
+    def mesh(self) -> Mesh | None:
+        """The mesh that is shown, saved, pictured and continued from."""
+        return None if self.iterate is None else self.iterate.mesh
+
+    @property
+    def band(self) -> Band:
+        """Within which quads are acceptable."""
+        return band(self.view)
+
+
+def band(view: View) -> Band:
+    """The band of the chosen metric: the user's, or the metric's own."""
+    return view.bands.get(view.metric.key, view.metric.band)
+
+
+def resolved(before: Scene, state: State, view: View, running: Track | None = None) -> Scene:
+    """The scene of a state, looked at in some way; what has not changed since `before` is not computed again."""
+    key = view.key if view.key in state.keys else next(iter(state.keys), None)
+    track = running or (None if key is None else state.tracks.get(key))
+    count = 0 if track is None else len(track.iterates)
+    position = count - 1 if view.position < 0 else min(view.position, count - 1)
+    shown = None if track is None else track.iterates[position]
+    selection = view.selection if shown is not None and _shares_elements(shown, before.iterate) else frozenset()
+    return Scene(
+        state=state,
+        view=attrs.evolve(view, key=key, selection=selection),
+        plate=None if key is None else state.plate(key),
+        track=track,
+        position=max(position, 0),
+        quality=_judged(shown, view, before),
+        first_quality=_judged(None if track is None else track.first, view, before),
+        running=running is not None,
+    )
+
+
+def _shares_elements(one: Iterate, other: Iterate | None) -> bool:
+    return other is not None and one.mesh.topology is other.mesh.topology
+
+
+def _judged(iterate: Iterate | None, view: View, before: Scene) -> Quality | None:
+    """Quality of an iterate as it is looked at; one that is there already is taken again."""
+    if iterate is None:
+        return None
+    known = [(iterate.mesh, iterate.quality)]
+    if before.track is not None:
+        known += [(before.iterate.mesh, before.quality)] if before.iterate and before.quality else []
+        known += [(before.track.first.mesh, before.first_quality)] if before.first_quality else []
+    for mesh, judged in known:
+        if mesh is iterate.mesh and judged.metric is view.metric and judged.band == band(view):
+            return judged
+    return quality(iterate.mesh, view.metric, band(view))
