@@ -15,7 +15,7 @@ PORTIONS = ("invalid", "failing", "passing")
 OPEN_END = 2.5
 """Where the axis of a metric without upper bound ends, over its own limit, unless the user's is beyond."""
 _MOST_BINS = 40
-_STEPS = (1.0, 2.0, 2.5, 3.0, 5.0)
+_STEPS = (1.0, 1.25, 2.0, 2.5, 3.0, 5.0)
 
 
 @attrs.frozen(eq=False, kw_only=True)
@@ -78,7 +78,7 @@ def axis_edges(metric: Metric, band: Band) -> Floats:
     They do not depend on the values, so that bars of two meshes can be compared and none moves in a run.
     """
     low, high = _axis(metric, band)
-    return np.linspace(low, high, _bin_count(high - low) + 1)
+    return np.linspace(low, high, _bin_count(low, high, metric.limits(metric.band)) + 1)
 
 
 def _axis(metric: Metric, band: Band) -> tuple[float, float]:
@@ -86,10 +86,13 @@ def _axis(metric: Metric, band: Band) -> tuple[float, float]:
     low = metric.quads.low if metric.triangles is None else min(metric.quads.low, metric.triangles.low)
     if low < 0 <= min(limits):
         low = 0.0  # elements below are not valid: the first bin shows them
+    if not isfinite(low):
+        low = -_rounded_up(-1.25 * min(limits))
     high = metric.quads.high if metric.higher_is_better else min(metric.quads.high, metric.worst[1])
     if not isfinite(high):
         high = _rounded_up(OPEN_END * max(metric.limits(metric.band)))
-    return low, high if max(limits) <= high else _rounded_up(1.25 * max(limits))
+    high = high if max(limits) <= high else _rounded_up(1.25 * max(limits))
+    return 0.0 if 0.0 < low < high / _MOST_BINS else low, high
 
 
 def _rounded_up(value: float) -> float:
@@ -97,11 +100,13 @@ def _rounded_up(value: float) -> float:
     return next(step * power for step in (1, 1.5, 2, 3, 4, 5, 6, 8, 10) if step * power >= value)
 
 
-def _bin_count(span: float) -> int:
-    """As many bins as fit, with ends that are round numbers."""
+def _bin_count(low: float, high: float, limits: tuple[float, ...]) -> int:
+    """As many bins as fit, with ends that are round numbers, the limits among them."""
+    span = high - low
     power = 10.0 ** floor(log10(span / _MOST_BINS))
     for width in (step * power * scale for scale in (1, 10) for step in _STEPS):
         count = round(span / width)
-        if count <= _MOST_BINS and abs(count * width - span) < 1e-9 * span:
+        shares = np.array([span, *(limit - low for limit in limits)]) / width
+        if count <= _MOST_BINS and (np.abs(shares - np.round(shares)) < 1e-9 * count).all():
             return count
     return _MOST_BINS

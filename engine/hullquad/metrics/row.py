@@ -9,6 +9,7 @@ import numpy as np
 from hullquad.arrays import Bools, Floats
 
 DEGREES = "°"
+MILLIMETRES = "mm"
 
 Band = tuple[float, float]
 """Least and greatest acceptable value; infinite on a side where nothing is too much."""
@@ -35,7 +36,7 @@ class Scale:
     """Ends of the acceptable band as the source gives them."""
 
 
-@attrs.frozen
+@attrs.frozen(kw_only=True)
 class Metric:
     """One row of the table: what a metric is called, how it is read and when it is acceptable."""
 
@@ -51,6 +52,10 @@ class Metric:
     source: str
     group: str
     """Under which heading it is listed."""
+    is_of_corners: bool
+    """Whether it is the worst of values that each corner has by itself."""
+    invalid: Band
+    """Between what the raw value is kept where an element is not valid: no better than that of the worst valid one."""
 
     @property
     def higher_is_better(self) -> bool:
@@ -132,7 +137,7 @@ class Metric:
     @property
     def worst(self) -> Band:
         """Values that are drawn as the worst there are, below and above: those of elements that are only just valid."""
-        return max(self.quads.low, 0.0), 180.0 if self.unit == DEGREES else self.quads.high
+        return max(self.quads.low, 0.0), min(self.quads.high, 180.0) if self.unit == DEGREES else self.quads.high
 
     @property
     def factor(self) -> float:
