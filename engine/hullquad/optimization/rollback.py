@@ -1,14 +1,17 @@
 """Steps shortened where they would spoil elements, compiled."""
 
+from math import sqrt
+
 from hullquad.arrays import Floats
-from hullquad.metrics import quad, triangle
 from hullquad.metrics.compiled import compiled
-from hullquad.metrics.vectors import vector
+from hullquad.metrics.quad import edges
+from hullquad.metrics.vectors import Vector, cross, difference, dot, square, vector
 from hullquad.optimization.energy import Elements
 
 _LEAST_KEPT = 0.4
 """Part of its quality that an element below the floor must keep in one step."""
 _ROUNDS, _HALVED = 12, 4
+_EQUILATERAL = 2.0 / sqrt(3.0)
 
 
 @compiled
@@ -59,23 +62,27 @@ def _mark(shares: Floats, node: int, share: float) -> None:
 
 @compiled
 def _openness(points: Floats, elements: Elements, row: int) -> float:
-    """Scaled Jacobian of a quad."""
+    """Least sine of a quad's corners as seen against its normal: its scaled Jacobian where it is flat."""
     corners = elements.quads[row]
     normal = vector(elements.normals, row if len(elements.normals) > 1 else 0)
-    return quad.scaled_jacobian(
-        vector(points, corners[0]),
-        vector(points, corners[1]),
-        vector(points, corners[2]),
-        vector(points, corners[3]),
-        normal,
-    )
+    a, b, c, d = (
+        vector(points, corners[0]), vector(points, corners[1]), vector(points, corners[2]), vector(points, corners[3])
+    )  # fmt: skip
+    e0, e1, e2, e3 = edges(a, b, c, d)
+    return min(_sine(e3, e0, normal), _sine(e0, e1, normal), _sine(e1, e2, normal), _sine(e2, e3, normal))
 
 
 @compiled
 def _triangle_openness(points: Floats, elements: Elements, row: int) -> float:
-    """Scaled Jacobian of a triangle."""
+    """The same of a triangle; 1 where it is equilateral."""
     corners = elements.triangles[row]
     normal = vector(elements.normals, len(elements.quads) + row if len(elements.normals) > 1 else 0)
-    return triangle.scaled_jacobian(
-        vector(points, corners[0]), vector(points, corners[1]), vector(points, corners[2]), normal
-    )
+    a, b, c = vector(points, corners[0]), vector(points, corners[1]), vector(points, corners[2])
+    e0, e1, e2 = difference(b, a), difference(c, b), difference(a, c)
+    return _EQUILATERAL * min(_sine(e2, e0, normal), _sine(e0, e1, normal), _sine(e1, e2, normal))
+
+
+@compiled
+def _sine(before: Vector, after: Vector, normal: Vector) -> float:
+    product = square(before) * square(after)
+    return dot(normal, cross(before, after)) / sqrt(product) if product > 0.0 else 0.0
