@@ -42,10 +42,11 @@ class Row:
 FILE = str(QT_TRANSLATE_NOOP("Actions", "&File"))
 EDIT = str(QT_TRANSLATE_NOOP("Actions", "&Edit"))
 VIEW = str(QT_TRANSLATE_NOOP("Actions", "&View"))
+QUALITY = str(QT_TRANSLATE_NOOP("Actions", "&Quality"))
 MESH = str(QT_TRANSLATE_NOOP("Actions", "&Mesh"))
 OPTIMISE = str(QT_TRANSLATE_NOOP("Actions", "&Optimise"))
 HELP = str(QT_TRANSLATE_NOOP("Actions", "&Help"))
-MENUS = (FILE, EDIT, VIEW, MESH, OPTIMISE, HELP)
+MENUS = (FILE, EDIT, VIEW, MESH, QUALITY, OPTIMISE, HELP)
 
 
 def _tr(text: str) -> str:
@@ -62,8 +63,8 @@ ROWS = (
     Row(EDIT, _tr("&Undo"), _tr("Take the last change back"), "session.undo", "Ctrl+Z", "undo", "can_undo"),
     Row(EDIT, _tr("&Redo"), _tr("Do again what was taken back"), "session.redo", "Ctrl+Y", "redo", "can_redo"),
     Row(EDIT, _tr("&Clear selection"), _tr("Select nothing"), "session.select", "Esc", "", "", (), "clear_selection"),
-    Row(EDIT, _tr("&Next worst element"), _tr("Select the next worse-to-better element"), "worst.next", "N", "", "can_picture"),
-    Row(EDIT, _tr("&Previous worst element"), _tr("Select the element before it"), "worst.previous", "P", "", "can_picture"),
+    Row(QUALITY, _tr("&Next worst element"), _tr("Select the next worse-to-better element"), "worst.next", "N", "", "can_picture"),
+    Row(QUALITY, _tr("&Previous worst element"), _tr("Select the element before it"), "worst.previous", "P", "", "can_picture"),
     Row(VIEW, _tr("&Fit"), _tr("Show the whole plate"), "canvas.fit", "F", "fit"),
     Row(VIEW, _tr("&Plan of the plate"), _tr("Look square onto the plate"), "canvas.look", "F5", "plan", "", "plan", "plan"),
     Row(VIEW, _tr("F&ront"), _tr("Look from the front of the ship"), "canvas.look", "F6", "", "", "front", "front"),
@@ -81,10 +82,15 @@ ROWS = (
     Row(OPTIMISE, _tr("R&eset"), _tr("Go back to the mesh as it was made or loaded"), "session.reset", "Ctrl+R", "reset", "can_reset"),
     Row(OPTIMISE, _tr("One iterate &back"), _tr("Show the iterate before this one"), "session.scrub_by", "Ctrl+Left", "", "can_scrub", -1, "back"),
     Row(OPTIMISE, _tr("One iterate &on"), _tr("Show the iterate after this one"), "session.scrub_by", "Ctrl+Right", "", "can_scrub", 1, "on"),
+    Row(QUALITY, _tr("&Reset limit"), _tr("Take back the limit of the metric itself"), "judging.reset_limit", "Ctrl+L"),
+    Row(QUALITY, _tr("Reset &all limits"), _tr("Take back the limits of all metrics"), "judging.reset_limits"),
+    Row(QUALITY, _tr("&Load criteria…"), _tr("Take the limits in a file"), "judging_files.load_criteria"),
+    Row(QUALITY, _tr("&Save criteria…"), _tr("Put the limits of all metrics into a file"), "judging_files.save_criteria"),
+    Row(QUALITY, _tr("&Judge by a file of rules…"), _tr("Judge by the rules in a file"), "judging_files.choose_rules"),
     Row(HELP, _tr("&Keys"), _tr("What the keys do"), "about.show_keys", "F1"),
     Row(HELP, _tr("&About HullQuad"), _tr("What this program is, its version and licences"), "about.show_about"),
     *(
-        Row(VIEW, metric.title, metric.formula, "session.choose_metric", str(row + 1), "", "", metric.key, metric.key)
+        Row(QUALITY, metric.title, metric.formula, "session.choose_metric", str(row + 1), "", "", metric.key, metric.key)
         for row, metric in enumerate(METRICS[:9])
     ),
 )  # fmt: skip

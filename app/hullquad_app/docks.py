@@ -75,9 +75,9 @@ class Docks(QObject):
 
     def connect_to(self, session: Session, canvas: Canvas) -> None:
         """Pass on what the user wants in the panels."""
-        self.quality.limit_dragged.connect(session.set_limit)
-        self.quality.limit_released.connect(session.set_limit)
-        self.quality.limit_reset.connect(session.reset_limit)
+        self.quality.limit_dragged.connect(session.judging.set_limit)
+        self.quality.limit_released.connect(session.judging.set_limit)
+        self.quality.limit_reset.connect(session.judging.reset_limit)
         for panel in (self.quality, self.worst):
             panel.selected.connect(lambda rows, extend: session.select(rows, extend=extend))
         self.worst.selected.connect(lambda rows, _: canvas.reveal(rows))

@@ -1,5 +1,6 @@
 """The document: what is open, and the one door through which it is changed."""
 
+from time import perf_counter
 from typing import Any
 
 import attrs
@@ -8,6 +9,9 @@ from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from hullquad_app.scene import Scene, State, resolved
 from hullquad_app.track import Track
+
+VERDICT_WAIT = 0.2
+"""Least time between two verdicts while a run goes on [s]."""
 
 
 class _Change(QUndoCommand):
@@ -36,6 +40,7 @@ class Document(QObject):
         super().__init__(parent)
         self.scene = Scene()
         self._before_run = self.scene
+        self._next_verdict = 0.0
         self.edits = QUndoStack(self)
 
     def change(self, label: str, after: State, key: str | None = None, position: int = -1) -> None:
@@ -59,8 +64,17 @@ class Document(QObject):
         self._set(resolved(self.scene, self.scene.state, attrs.evolve(self.scene.view, **view), running))
 
     def preview(self, track: Track, position: int = -1) -> None:
-        """Show a run that goes on: its track so far, which becomes part of the document by `change` when it ends."""
-        self._set(resolved(self.scene, self.scene.state, attrs.evolve(self.scene.view, position=position), track))
+        """Show a run that goes on: its track so far, which becomes part of the document by `change` when it ends.
+
+        Its meshes are judged by rules a few times a second, and no more than a fifth of the time.
+        """
+        started, view = perf_counter(), attrs.evolve(self.scene.view, position=position)
+        is_due = started >= self._next_verdict
+        scene = resolved(self.scene, self.scene.state, view, track, keeps_verdict=not is_due)
+        if is_due:
+            ended = perf_counter()
+            self._next_verdict = ended + max(VERDICT_WAIT, 4 * (ended - started))
+        self._set(scene)
 
     def restore(self, scene: Scene) -> None:
         """Show the state, plate and iterate of a scene; metric and limits stay as they are now."""

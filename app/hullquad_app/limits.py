@@ -3,10 +3,10 @@
 from math import floor, isfinite, log10
 
 from hullquad.metrics import DEGREES, Band, Metric
+from hullquad.metrics.row import MILLIMETRES
 from hullquad_app.panels.figures import plain
 
-MILLIMETRES = "mm"
-_PARTS = 12
+_PARTS = 5
 """Steps that lead from nothing to the limit of a metric without an upper end."""
 
 
@@ -20,11 +20,9 @@ def with_limit(by: Metric, band: Band, end: int, limit: float) -> Band:
 
 def step(by: Metric) -> float:
     """By how much a press of an arrow moves a limit: 1 of angles and lengths, 0.05 of what ends at 1."""
-    if by.unit:
-        return 1.0
-    if isfinite(by.quads.high):
-        return 0.05
     wanted = max(by.limits(by.band)) / _PARTS
+    if by.unit or (isfinite(by.quads.high) and wanted > 0.01):
+        return 1.0 if by.unit else 0.05
     decade = 10.0 ** floor(log10(wanted))
     return next(factor * decade for factor in (5.0, 2.0, 1.0) if factor * decade <= wanted)
 
@@ -32,7 +30,7 @@ def step(by: Metric) -> float:
 def decimals(by: Metric, limits: tuple[float, ...]) -> int:
     """Decimals of limits in their boxes: those of the metric, and more where a limit needs them."""
     least = 1 if by.unit in (DEGREES, MILLIMETRES) or step(by) >= 1 else 2
-    return max(least, *(_needed(limit) for limit in limits))
+    return max(least, *(_needed(number) for number in (step(by), *limits)))
 
 
 def _needed(limit: float) -> int:

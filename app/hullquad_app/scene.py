@@ -2,16 +2,23 @@
 
 from collections.abc import Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import attrs
 
+from hullquad.arrays import Bools
 from hullquad.mesh import Mesh
 from hullquad.metrics import Band, Metric, metric
 from hullquad.optimization.iterate import Iterate
 from hullquad.plate import Document as PlateDocument
 from hullquad.plate import Plate
-from hullquad.quality import Quality, quality
+from hullquad.quality import Quality
+from hullquad.quality import quality as measured
 from hullquad_app.track import Track
+from hullquad_app.verdict import Verdict, verdict
+
+if TYPE_CHECKING:
+    from hullquad.rules import Assessment, RuleSet
 
 
 @attrs.frozen(eq=False, kw_only=True)
@@ -53,6 +60,8 @@ class View:
     metric: Metric = attrs.field(factory=lambda: metric("stretch"))
     bands: Mapping[str, Band] = attrs.field(factory=dict)
     """What the user accepts by metric key, where it differs from the metric's own band."""
+    rules: "RuleSet | None" = None
+    """By which elements are judged and coloured; None: by the metric."""
     selection: frozenset[int] = frozenset()
     """Rows of the selected elements."""
 
@@ -73,6 +82,8 @@ class Scene:
     """Quality of the shown mesh by the chosen metric and limit: one value for view, histogram, table, status bar."""
     first_quality: Quality | None = None
     """The same of the mesh as it was made or loaded."""
+    verdict: Verdict | None = None
+    """What the contour gives and the rule set says; while a run goes on of a mesh that was shown a moment before."""
     running: bool = False
 
     @property
@@ -90,34 +101,61 @@ class Scene:
         """Within which quads are acceptable."""
         return band(self.view)
 
+    @property
+    def given(self) -> Bools | None:
+        """(E,) which elements fail by the metric because of the contour: no node that may move can mend them."""
+        return None if self.verdict is None else self.verdict.given
+
+    @property
+    def assessment(self) -> "Assessment | None":
+        """What the chosen rule set says of the shown mesh; None where elements are judged by the metric."""
+        return None if self.verdict is None else self.verdict.assessment
+
 
 def band(view: View) -> Band:
     """The band of the chosen metric: the user's, or the metric's own."""
     return view.bands.get(view.metric.key, view.metric.band)
 
 
-def resolved(before: Scene, state: State, view: View, running: Track | None = None) -> Scene:
-    """The scene of a state, looked at in some way; what has not changed since `before` is not computed again."""
+def resolved(
+    before: Scene, state: State, view: View, running: Track | None = None, *, keeps_verdict: bool = False
+) -> Scene:
+    """The scene of a state, looked at in some way; what has not changed since `before` is not computed again.
+
+    With `keeps_verdict` the last one stands for a mesh of which only the nodes have moved.
+    """
     key = view.key if view.key in state.keys else next(iter(state.keys), None)
     track = running or (None if key is None else state.tracks.get(key))
     count = 0 if track is None else len(track.iterates)
     position = count - 1 if view.position < 0 else min(view.position, count - 1)
     shown = None if track is None else track.iterates[position]
     selection = view.selection if shown is not None and _shares_elements(shown, before.iterate) else frozenset()
+    quality = _judged(shown, view, before)
     return Scene(
         state=state,
         view=attrs.evolve(view, key=key, selection=selection),
         plate=None if key is None else state.plate(key),
         track=track,
         position=max(position, 0),
-        quality=_judged(shown, view, before),
+        quality=quality,
         first_quality=_judged(None if track is None else track.first, view, before),
+        verdict=_verdict(shown, quality, view, before.verdict, keeps=keeps_verdict),
         running=running is not None,
     )
 
 
 def _shares_elements(one: Iterate, other: Iterate | None) -> bool:
     return other is not None and one.mesh.topology is other.mesh.topology
+
+
+def _verdict(
+    shown: Iterate | None, quality: Quality | None, view: View, before: Verdict | None, *, keeps: bool
+) -> Verdict | None:
+    if shown is None or quality is None:
+        return None
+    if keeps and before is not None and before.may_stand_for(shown.mesh, quality, view.rules):
+        return before
+    return verdict(shown.mesh, quality, view.rules, before)
 
 
 def _judged(iterate: Iterate | None, view: View, before: Scene) -> Quality | None:
@@ -131,4 +169,4 @@ def _judged(iterate: Iterate | None, view: View, before: Scene) -> Quality | Non
     for mesh, judged in known:
         if mesh is iterate.mesh and judged.metric is view.metric and judged.band == band(view):
             return judged
-    return quality(iterate.mesh, view.metric, band(view))
+    return measured(iterate.mesh, view.metric, band(view))

@@ -9,13 +9,13 @@ from PySide6.QtCore import QObject, Signal
 
 from hullquad.errors import HullquadError
 from hullquad.mesh import Mesh
-from hullquad.metrics import Band, metric
+from hullquad.metrics import metric
 from hullquad.optimization.settings import PaperSettings
 from hullquad.optimization.stops import Stop
 from hullquad_app.abilities import Abilities, abilities
 from hullquad_app.bookmarks import Bookmarks
 from hullquad_app.document import Document
-from hullquad_app.limits import with_limit
+from hullquad_app.judging import Judging
 from hullquad_app.optimizer import Optimizer
 from hullquad_app.scene import Scene
 from hullquad_app.settings import Settings
@@ -54,7 +54,7 @@ class Session(QObject):
         self.workshop = Workshop(self.document, self.optimizer.finish, self)
         self.abilities = Abilities()
         self._bookmarks = Bookmarks()
-        self.document.look(metric=metric(self.settings.metric), bands=self.settings.bands)
+        self.judging = Judging(self.document, self.settings, self.message.emit, self)
         self._connect()
 
     @property
@@ -142,16 +142,6 @@ class Session(QObject):
         self.document.look(metric=metric(key))
         self.settings.metric = key
 
-    def set_limit(self, end: int, limit: float) -> None:
-        """Have quads fail from another value on; of a two-sided metric limit 0 is the lower and 1 the upper one."""
-        scene, by = self.document.scene, self.document.scene.view.metric
-        self._look_by({**scene.view.bands, by.key: with_limit(by, scene.band, end, limit)})
-
-    def reset_limit(self) -> None:
-        """Have quads fail where the metric's acceptable band ends."""
-        view = self.document.scene.view
-        self._look_by({key: band for key, band in view.bands.items() if key != view.metric.key})
-
     def choose_plate(self, key: str) -> None:
         """Show another plate, at the iterate where it was left."""
         self.optimizer.finish()
@@ -216,10 +206,6 @@ class Session(QObject):
         if self.abilities.can_run:
             key = self.settings.objective or self.document.scene.view.metric.key
             self.optimizer.start(metric(key), self.settings.paper, steps)
-
-    def _look_by(self, bands: dict[str, Band]) -> None:
-        self.document.look(bands=bands)
-        self.settings.bands = bands
 
     def _files(self, path: Path) -> dict[Path, Mesh]:
         """Shown mesh of every plate that has one, by the file it goes to."""

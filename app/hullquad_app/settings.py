@@ -77,6 +77,25 @@ class Settings:
         self._write("bands", {key: metric(key).limits(band) for key, band in bands.items()})
 
     @property
+    def rules(self) -> str:
+        """Key of the rule set by which elements were judged last, or its file; empty: by the metric."""
+        return self._read("rules", str, "")
+
+    @rules.setter
+    def rules(self, name: str) -> None:
+        self._write("rules", name)
+
+    @property
+    def rule_files(self) -> list[Path]:
+        """Files of rules that were read and are still there, the last one first."""
+        return self._read("rule_files", _files, [])
+
+    def add_rule_file(self, path: Path) -> None:
+        """Remember a file of rules."""
+        others = (other for other in self.rule_files if other != path)
+        self._write("rule_files", [str(file) for file in (path, *others)][:MOST_RECENT])
+
+    @property
     def metric(self) -> str:
         """Key of the metric that was shown last."""
         return self._read("metric", lambda value: value if value in _KEYS else "stretch", "stretch")

@@ -1,4 +1,4 @@
-"""What is chosen at the top of the window: plate, metric and limit."""
+"""What is chosen at the top of the window: plate, rules, metric and limit."""
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSizePolicy, QWidget
@@ -9,6 +9,7 @@ from hullquad_app.grouped_box import GroupedBox, metric_choices
 from hullquad_app.limit_boxes import LimitBoxes
 from hullquad_app.metric_words import meaning
 from hullquad_app.plate_box import PlateBox
+from hullquad_app.rules_box import RulesBox
 from hullquad_app.scene import Scene
 
 
@@ -21,16 +22,22 @@ class Choices(QWidget):
     limit_moved = Signal(int, float)
     """Number of a limit (of two 0 is the lower one), and its value."""
     limit_reset = Signal()
+    rules_chosen = Signal(str)
+    """Emitted with the name of a rule set, or nothing for the metric."""
+    rules_file_wanted = Signal()
 
     def __init__(self) -> None:
         super().__init__()
         self._shown: Scene | None = None
-        self.plates, self.metrics, self.limits = PlateBox(), GroupedBox(), LimitBoxes()
+        self.plates, self.rules = PlateBox(), RulesBox()
+        self.metrics, self.limits = GroupedBox(), LimitBoxes()
         self.metrics.fill(metric_choices(METRICS))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self._lay_out()
         self.plates.chosen.connect(self.plate_chosen)
         self.metrics.chosen.connect(self.metric_chosen)
+        self.rules.picked.connect(self.rules_chosen)
+        self.rules.file_wanted.connect(self.rules_file_wanted)
         self.limits.moved.connect(self.limit_moved)
         self.limits.reset_wanted.connect(self.limit_reset)
 
@@ -38,6 +45,8 @@ class Choices(QWidget):
         """Show what a scene is looked at by."""
         before, self._shown = self._shown, scene
         self.plates.show_scene(scene)
+        if before is None or scene.view.rules is not before.view.rules:
+            self.rules.show_scene(scene)
         if before is None or scene.view.metric is not before.view.metric:
             self.metrics.show_choice(scene.view.metric.key)
             self.metrics.setToolTip(meaning(scene.view.metric))
@@ -54,6 +63,7 @@ class Choices(QWidget):
         row.setSpacing(self.fontMetrics().averageCharWidth() // 2)
         for text, name, box in (
             (self.tr("Plate"), self.tr("Plate that is shown"), self.plates),
+            (self.tr("Judge by"), self.tr("What elements are judged and coloured by"), self.rules),
             (self.tr("Metric"), self.tr("Metric that colours the elements and is optimised"), self.metrics),
             (self.tr("Limit"), self.tr("Where quads begin to fail"), self.limits),
         ):

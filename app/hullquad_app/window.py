@@ -16,6 +16,7 @@ from hullquad_app.colours import LIGHT, ColourMap, Theme
 from hullquad_app.docks import Docks
 from hullquad_app.filing import Filing
 from hullquad_app.history_bar import HistoryBar
+from hullquad_app.judging_files import JudgingFiles
 from hullquad_app.message_bar import MessageBar
 from hullquad_app.recent import RecentFiles
 from hullquad_app.scene import Scene, State
@@ -37,7 +38,7 @@ class MainWindow(QMainWindow):
     def __init__(self, session: Session) -> None:
         super().__init__()
         self.session = session
-        self.filing = Filing(session, self)
+        self.filing, self.judging_files = Filing(session, self), JudgingFiles(session.judging, self)
         self.canvas, self.welcome = Canvas(), Welcome()
         self.messages, self.choices = MessageBar(), Choices()
         self.docks, self.history, self.status = Docks(self), HistoryBar(), StatusBar()
@@ -138,6 +139,8 @@ class MainWindow(QMainWindow):
             "window": self,
             "filing": self.filing,
             "session": self.session,
+            "judging": self.session.judging,
+            "judging_files": self.judging_files,
             "canvas": self.canvas,
             "worst": self.docks.worst,
             "mesh_button": self.docks.meshing.one,
@@ -198,8 +201,10 @@ class MainWindow(QMainWindow):
         self.history.position_chosen.connect(session.scrub)
         self.choices.plate_chosen.connect(session.choose_plate)
         self.choices.metric_chosen.connect(session.choose_metric)
-        self.choices.limit_moved.connect(session.set_limit)
-        self.choices.limit_reset.connect(session.reset_limit)
+        self.choices.limit_moved.connect(session.judging.set_limit)
+        self.choices.limit_reset.connect(session.judging.reset_limit)
+        self.choices.rules_chosen.connect(session.judging.judge_by)
+        self.choices.rules_file_wanted.connect(self.judging_files.choose_rules)
         self.canvas.picked.connect(lambda row, extend: session.select({row}, extend=extend))
         self.canvas.painted.connect(session.optimizer.run.painted)
         self.canvas.missed.connect(lambda: session.select(()))

@@ -79,10 +79,11 @@ def test_elements_have_the_colour_of_their_grade(chosen, values):
 
 @pytest.mark.parametrize("row", METRICS, ids=lambda row: row.key)
 def test_limit_and_ideal_pass_and_the_worst_value_is_darkest(row):
-    (limit,) = row.limits(row.band)
-    worst = row.worst[0 if row.higher_is_better else 1]
-    quality = judged([worst, limit, row.quads.ideal], limit=limit, key=row.key)
-    assert named(element_colours(quality)) == ["#6E0A1E", "#E3EDF3", "#5E9DC4"]
+    sides = [row.worst[end] for end, limit in enumerate(row.band) if np.isfinite(limit)]
+    for limit, worst in zip(row.limits(row.band), sides, strict=True):
+        values = np.array([worst, limit, row.quads.ideal])
+        quality = attrs.evolve(judged(values, key=row.key), band=row.band, failing=~row.is_within(row.band, values))
+        assert named(element_colours(quality)) == ["#6E0A1E", "#E3EDF3", "#5E9DC4"]
 
 
 def test_a_value_just_beyond_the_limit_fails_in_colour():

@@ -72,7 +72,7 @@ def test_the_way_back_is_open_where_the_limit_is_another(boxes, qtbot):
 def test_a_press_of_an_arrow_is_seen_and_is_no_leap(row):
     (limit, *_), one = row.limits(row.band), step(row)
     assert f"{limit + one:.{decimals(row, (limit,))}f}" != f"{limit:.{decimals(row, (limit,))}f}"
-    assert one <= max(0.2 * abs(limit), 1.0)
+    assert one <= (1.0 if row.unit else 0.25 * limit)
 
 
 def test_a_limit_is_never_rounded_in_its_box():

@@ -270,7 +270,7 @@ def test_changing_metric_plate_or_objective_pauses_first(running, act):
 
 
 def test_limit_and_selection_can_change_while_the_run_goes_on(running):
-    running.set_limit(0, 0.9)
+    running.judging.set_limit(0, 0.9)
     running.select([3])
     scene = running.document.scene
     assert (scene.running, scene.quality.limits, scene.view.selection) == (True, (0.9,), {3})
@@ -278,7 +278,7 @@ def test_limit_and_selection_can_change_while_the_run_goes_on(running):
 
 
 def test_limits_outlive_a_run(running, ended):
-    running.set_limit(0, 0.9)
+    running.judging.set_limit(0, 0.9)
     assert ended(running.pause).quality.limits == (0.9,)
 
 
@@ -333,16 +333,16 @@ def test_selection_extends_and_takes_back(session, show):
 
 def test_a_limit_is_remembered_and_reset(session, show, settings):
     show()
-    session.set_limit(0, 0.7)
+    session.judging.set_limit(0, 0.7)
     assert settings.bands == {"stretch": (0.7, math.inf)}
-    session.reset_limit()
+    session.judging.reset_limit()
     assert session.document.scene.band == metric("stretch").band
     assert settings.bands == {}
 
 
 def test_a_new_session_looks_as_the_last_did(session, settings, qapp):
     session.choose_metric("shape")
-    session.set_limit(0, 0.7)
+    session.judging.set_limit(0, 0.7)
     view = Session(settings).document.scene.view
     assert (view.metric.key, view.bands) == ("shape", {"shape": (0.7, math.inf)})
 
@@ -418,7 +418,7 @@ def test_whatever_is_done_can_be_undone(session, show, ended, qtbot, seed):
         *(session.step, session.run, session.run, session.pause, session.undo, session.redo, session.reset),
         *(lambda key=key: session.choose_metric(key) for key in ("stretch", "min_angle")),
         *(lambda: session.scrub(chance.randrange(60)), lambda: session.scrub_by(chance.choice([-3, 3]))),
-        *(lambda: session.select([chance.randrange(20)]), lambda: session.set_limit(0, chance.random())),
+        *(lambda: session.select([chance.randrange(20)]), lambda: session.judging.set_limit(0, chance.random())),
         *(lambda: qtbot.wait(chance.randrange(40)), ended),
     ]
     for _ in range(120):

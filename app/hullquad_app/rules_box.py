@@ -1,0 +1,85 @@
+"""By what elements are judged: the metric, or a rule set of a class society, a solver or the user's."""
+
+from pathlib import Path
+
+from PySide6.QtCore import Signal
+
+from hullquad_app.grouped_box import Choice, GroupedBox
+from hullquad_app.rule_words import about
+from hullquad_app.scene import Scene
+
+METRIC, OTHER = "", "…"
+"""Data of the rows that are no rule sets."""
+_SOLVERS = ("msc_nastran", "autodesk_nastran", "optistruct", "ansys", "abaqus")
+_PAPER = "table_1"
+_LETTERS = 13
+"""Least width of the box; the whole name is in its tooltip."""
+
+
+class RulesBox(GroupedBox):
+    """Lists the rule sets when it is opened; what is in force is told by the scene alone."""
+
+    picked = Signal(str)
+    """Emitted with the name of a rule set, that of a file, or nothing for the metric."""
+    file_wanted = Signal()
+    """Another file is to be read."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._key, self._files = METRIC, list[Path]()
+        self._is_complete = False
+        self.setSizeAdjustPolicy(GroupedBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+        self.setMinimumContentsLength(_LETTERS)
+        self.fill([self._by_metric()])
+        self.chosen.connect(self._choose)
+
+    def show_scene(self, scene: Scene) -> None:
+        """Show by what a scene is judged."""
+        rules = scene.view.rules
+        self._key = METRIC if rules is None else rules.key
+        if rules is not None and self.findData(rules.key) < 0:
+            self._is_complete = False
+            self.fill([self._by_metric(), Choice("", rules.title, rules.key)])
+        self.show_choice(self._key)
+        self.setToolTip(self.tr("Elements are judged by the metric and its limit") if rules is None else about(rules))
+
+    def set_files(self, files: list[Path]) -> None:
+        """Offer these files of the user's, too."""
+        self._files, self._is_complete = files, False
+
+    def complete(self) -> None:
+        """List all that can be chosen."""
+        if not self._is_complete:
+            self._is_complete = True
+            self.fill([self._by_metric(), *self._built_in(), *self._own()])
+            self.show_choice(self._key)
+
+    def showPopup(self) -> None:
+        """Open the list."""
+        self.complete()
+        super().showPopup()
+
+    def _choose(self, data: str) -> None:
+        self.show_choice(self._key)  # until the document agrees
+        if data == OTHER:
+            self.file_wanted.emit()
+        else:
+            self.picked.emit(data)
+
+    def _by_metric(self) -> Choice:
+        return Choice("", self.tr("Metric and limit"), METRIC, self.tr("Every element by the chosen metric"))
+
+    def _built_in(self) -> list[Choice]:
+        from hullquad.rules import rule_sets  # noqa: PLC0415  an empty window does not wait for it
+
+        societies, solvers = self.tr("Class societies"), self.tr("Solvers")
+        headings = {_PAPER: self.tr("The paper"), **dict.fromkeys(_SOLVERS, solvers)}
+        listed = [Choice(headings.get(row.key, societies), row.title, row.key, about(row)) for row in rule_sets()]
+        order = [self.tr("The paper"), societies, solvers]
+        return sorted(listed, key=lambda choice: order.index(choice.heading))
+
+    def _own(self) -> list[Choice]:
+        heading = self.tr("Own files")
+        files = [Choice(heading, path.stem, str(path), str(path)) for path in self._files]
+        other = Choice(heading, self.tr("Other…"), OTHER, self.tr("Read a file of rules (hullquad rules, JSON)"))
+        return [*files, other]
