@@ -80,8 +80,8 @@ SENTENCES: dict[str, str] = {
     "E_RULE:both": "what is not evaluated has no measure and no limits; remove these, or remove not_evaluated",
     "E_RULE:no_limit": "the rule has neither warn nor error; add a limit, or say why it is not_evaluated",
     "E_RULE:quads_only": 'triangles have no {measure}; add "elements": "quads"',
-    "N_LENGTH:thickness": "the mesh does not tell the thickness of its plate",
-    "N_LENGTH:target_size": "the mesh does not tell how large its elements should be",
+    "N_UNTOLD:thickness": "the mesh does not tell the thickness of its plate",
+    "N_UNTOLD:target_size": "the mesh does not tell how large its elements should be",
     # worker
     "E_WORKER": "the computation broke down ({reason}) and was ended, nothing else is affected; check the input here, "
     "and report the fault together with it if it is sound",
@@ -171,6 +171,8 @@ SENTENCES: dict[str, str] = {
     "E_MATERIAL:none": "there is no material {shown}, for the document has none at all; add it to the materials",
     "E_MATERIAL:poisson": "Poisson's ratio is {shown}; it must be below 0.5",
     "E_DIVISIONS": "{shown} is no number of segments; use a whole number from 1 to {most}",
+    "E_DIVISIONS:neighbour": "the edge cannot have {wished} segments: plate {other} asks for another number of the "
+    "same edge, with which it has {bound}; give both the same",
     "E_DIVISIONS:edges": "there are {count} numbers for the {wanted} edges of the loop; give one for each edge",
     "E_DIVISIONS:holes": "there are {count} lists for {wanted} holes; give one for each hole",
     "E_OUTER": "the loop has too few vertices ({count}); it needs three, or two and a round edge between them",
@@ -221,6 +223,10 @@ SENTENCES: dict[str, str] = {
     "will be small: leave it out, or choose a smaller size",
     "W_ODD": "the contour has {count} edges with segments of {size:g} mm, an odd number: one triangle is unavoidable; "
     "change the division of one edge by one",
+    "W_SNAP:neighbour": "the node was moved by {distance:.2g} mm to ({u:.7g}, {v:.7g}), where plate {neighbour} has it; "
+    "correct the one or the other if that is not meant",
+    "W_GAP": "the edge lies {distance:.3g} mm beside plate {neighbour} and is not joined to it, as only gaps up to "
+    "{most:g} mm are; move it there, or farther away if the plates are to stay apart",
     "W_SNAP": "the point was moved by {distance:.2g} mm to the node at ({u:.7g}, {v:.7g})",
     "W_NEAR": "the fixed point ({u:.7g}, {v:.7g}) is only {distance:.2g} mm from the contour or from another one, "
     "with elements of {size:g} mm; the elements between will be slivers: move it there, or away",

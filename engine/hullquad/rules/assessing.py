@@ -1,16 +1,14 @@
 """Judging a mesh by the rules of a set."""
 
-from collections.abc import Callable
-from functools import cache
 from math import inf
 
+import attrs
 import numpy as np
 
-from hullquad.arrays import Bytes, Floats, floats, small_ints
+from hullquad.arrays import Bools, Bytes, Floats, floats, small_ints
 from hullquad.given import beyond_mending, inverted_for_good
 from hullquad.mesh import Mesh
 from hullquad.metrics import metric
-from hullquad.quality import Quality, quality
 from hullquad.rules.assessment import Assessment, Finding
 from hullquad.rules.measures import MEASURES, TRIANGLE_SHARE, VALID, Measure
 from hullquad.rules.rule import Level, Rule, RuleSet, Status, widened
@@ -27,7 +25,16 @@ NO_INVERTED = Rule(
 )
 """What every set contains: the first finding of every assessment."""
 
-_Judged = Callable[[str], Quality]
+
+@attrs.frozen(eq=False)
+class _Judged:
+    """A mesh, and the values that some rules look at."""
+
+    mesh: Mesh
+    values: dict[str, Floats]
+    """(E,) by the key of the metric."""
+    valid: Bools
+    """(E,)"""
 
 
 def assess(mesh: Mesh, rule_set: RuleSet) -> Assessment:
@@ -36,27 +43,35 @@ def assess(mesh: Mesh, rule_set: RuleSet) -> Assessment:
     Where the share of triangles is too large, every triangle breaks the rule. What the mesh does not tell
     (its thickness, its element size, where the stiffeners are) is a finding that is not evaluated.
     """
-    judged = cache(lambda key: quality(mesh, metric(key)))
-    findings = tuple(_finding(mesh, rule, judged) for rule in (NO_INVERTED, *rule_set.rules))
+    judged = _judged(mesh, rule_set)
+    findings = tuple(_finding(judged, rule) for rule in (NO_INVERTED, *rule_set.rules))
     return Assessment(rule_set=rule_set, findings=findings)
 
 
-def _finding(mesh: Mesh, rule: Rule, judged: _Judged) -> Finding:
-    measure = MEASURES.get(rule.measure)
-    length = None if measure is None else measure.length(mesh)
-    if measure is None:
-        return _unevaluated(mesh, rule, rule.not_evaluated)
-    if length is None:
-        return _unevaluated(mesh, rule, SENTENCES[f"N_LENGTH:{measure.over}"])
+def _judged(mesh: Mesh, rule_set: RuleSet) -> _Judged:
+    from hullquad.metrics.values import all_judged  # noqa: PLC0415  brings Numba: half a second
+
+    measures = (MEASURES[rule.measure] for rule in rule_set.rules if rule.measure)
+    metrics = [metric(key) for key in dict.fromkeys(measure.metric for measure in measures if measure.metric)]
+    values, valid = all_judged(mesh.points, mesh.topology.elements, mesh.normals, metrics=metrics)
+    return _Judged(mesh, {row.key: floats(column) for row, column in zip(metrics, values.T, strict=True)}, valid)
+
+
+def _finding(judged: _Judged, rule: Rule) -> Finding:
+    if rule.not_evaluated:
+        return _unevaluated(judged, rule, rule.not_evaluated)
+    measure = MEASURES[rule.measure]
+    if not measure.is_told_by(judged.mesh):
+        return _unevaluated(judged, rule, SENTENCES[f"N_UNTOLD:{measure.needs}"])
     if measure.key == VALID:
-        return _validity(mesh, rule, judged)
+        return _validity(judged, rule)
     if measure.key == TRIANGLE_SHARE:
-        return _triangle_share(mesh, rule)
-    return _by_metric(mesh, rule, measure, length, judged)
+        return _triangle_share(judged, rule)
+    return _by_metric(judged, rule, measure)
 
 
-def _unevaluated(mesh: Mesh, rule: Rule, reason: str) -> Finding:
-    count = len(mesh.topology.elements)
+def _unevaluated(judged: _Judged, rule: Rule, reason: str) -> Finding:
+    count = len(judged.valid)
     return Finding(
         rule=rule,
         metric=None,
@@ -67,39 +82,41 @@ def _unevaluated(mesh: Mesh, rule: Rule, reason: str) -> Finding:
     )
 
 
-def _by_metric(mesh: Mesh, rule: Rule, measure: Measure, length: float, judged: _Judged) -> Finding:
+def _by_metric(judged: _Judged, rule: Rule, measure: Measure) -> Finding:
     """Finding of a rule whose measure is a metric, or one over a length."""
-    by_metric = judged(measure.metric)
-    values = floats(by_metric.values / length)
-    levels = _levels(mesh, rule, values)
+    by, length = metric(measure.metric), np.asarray(measure.length(judged.mesh))
+    values = judged.values[by.key]
+    if measure.needs:
+        values = floats(np.where(np.isfinite(values), values / length, values))
+    levels = _levels(judged, rule, values)
     given = np.zeros(len(levels), dtype=bool)
     for level, band in ((Level.WARN, rule.warn), (Level.ERROR, rule.error)):
         rows = np.flatnonzero(levels == level)
         if band is not None and len(rows):
-            low, high = widened(band)
-            given[rows] = beyond_mending(mesh, by_metric, (low * length, high * length), rows)
-    return Finding(rule=rule, metric=by_metric.metric, values=values, levels=levels, given=given)
+            there = np.broadcast_to(length, levels.shape)[rows]
+            low, high = (np.where(np.isfinite(end), end * there, end) for end in widened(band))
+            given[rows] = beyond_mending(judged.mesh, by, (low, high), rows)
+    return Finding(rule=rule, metric=by, values=values, levels=levels, given=given)
 
 
-def _validity(mesh: Mesh, rule: Rule, judged: _Judged) -> Finding:
-    valid = judged("shape").valid
-    levels, rows = _levels(mesh, rule, floats(valid)), np.flatnonzero(~valid)
-    given = np.zeros(len(valid), dtype=bool)
-    given[rows] = inverted_for_good(mesh, rows)
-    return Finding(rule=rule, metric=None, values=floats(valid), levels=levels, given=given)
+def _validity(judged: _Judged, rule: Rule) -> Finding:
+    values, rows = floats(judged.valid), np.flatnonzero(~judged.valid)
+    given = np.zeros(len(values), dtype=bool)
+    given[rows] = inverted_for_good(judged.mesh, rows)
+    return Finding(rule=rule, metric=None, values=values, levels=_levels(judged, rule, values), given=given)
 
 
-def _triangle_share(mesh: Mesh, rule: Rule) -> Finding:
-    """Every triangle breaks the rule where they are too many; they are given where no mesh of the contour has less."""
-    is_triangle = mesh.topology.is_triangle
-    values = floats(np.full(len(is_triangle), is_triangle.mean() if len(is_triangle) else 0.0))
+def _triangle_share(judged: _Judged, rule: Rule) -> Finding:
+    """Every triangle breaks the rule where they are too many; it is given where no mesh of the contour has fewer."""
+    is_triangle = judged.mesh.topology.is_triangle
+    count = int(is_triangle.sum())
+    values = floats(np.full(len(is_triangle), count / max(1, len(is_triangle))))
     levels = small_ints(np.where(is_triangle, rule.levels(values), Level.OK))
-    unavoidable = rim_edge_count(mesh.topology.elements) % 2
-    given = (levels > Level.OK) & (int(is_triangle.sum()) <= unavoidable)
-    return Finding(rule=rule, metric=None, values=values, levels=levels, given=np.asarray(given))
+    is_forced = count == 1 and rim_edge_count(judged.mesh.topology.elements) % 2 == 1
+    return Finding(rule=rule, metric=None, values=values, levels=levels, given=np.asarray((levels > 0) & is_forced))
 
 
-def _levels(mesh: Mesh, rule: Rule, values: Floats) -> Bytes:
+def _levels(judged: _Judged, rule: Rule, values: Floats) -> Bytes:
     """(E,) levels of the elements that the rule is for, OK of the others."""
-    chosen = rule.elements.chosen(mesh.topology.is_triangle)
+    chosen = rule.elements.chosen(judged.mesh.topology.is_triangle)
     return small_ints(np.where(chosen, rule.levels(values), Level.OK))

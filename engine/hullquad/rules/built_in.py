@@ -23,6 +23,7 @@ KEYS = (
     "msc_nastran",
     "autodesk_nastran",
     "optistruct",
+    "ansys",
     "abaqus",
 )
 """Keys of the built-in sets in the order in which they are listed: each is a file in ``rules/data``."""

@@ -1,12 +1,20 @@
-"""What rules measure: metrics, metrics over a length of the mesh, and what only a whole mesh has."""
+"""What rules measure: metrics, metrics over a length, and what only a whole mesh has."""
+
+from collections.abc import Callable
 
 import attrs
+import numpy as np
 
+from hullquad.arrays import Floats
 from hullquad.mesh import Mesh
 from hullquad.metrics import METRICS
 
 VALID = "valid"
 TRIANGLE_SHARE = "triangle_share"
+
+_LEAST_SIDE = 1e-200  # only keeps quotients finite
+
+_Length = Callable[[Mesh], float | Floats]
 
 
 @attrs.frozen
@@ -20,26 +28,44 @@ class Measure:
     unit: str = ""
     metric: str = ""
     """Key of the metric that the elements are measured by; empty for what only the whole mesh has."""
-    over: str = ""
-    """The length of the mesh that the metric is divided by: ``target_size``, ``thickness``; empty for none."""
+    needs: str = ""
+    """What the mesh must tell: ``target_size``, ``thickness``; empty for nothing."""
+    length: _Length = lambda _: 1.0
+    """What the metric is divided by: one length, or one for each element [mm]."""
 
-    def length(self, mesh: Mesh) -> float | None:
-        """What the metric is divided by [mm]; 1 for nothing, None where the mesh does not tell it."""
-        if not self.over:
-            return 1.0
-        if self.over == "target_size" and mesh.is_bare:
-            return None  # the mean length of its edges is not what somebody asked for
-        length: float | None = getattr(mesh, self.over)
-        return length
+    def is_told_by(self, mesh: Mesh) -> bool:
+        """Whether the mesh tells what is needed."""
+        if self.needs == "target_size":
+            return not mesh.is_bare  # the mean length of its edges is not what somebody asked for
+        return self.needs != "thickness" or mesh.thickness is not None
+
+
+def _size(mesh: Mesh) -> float:
+    return mesh.target_size
+
+
+def _thickness(mesh: Mesh) -> float:
+    assert mesh.thickness is not None  # nobody asks before `is_told_by`
+    return mesh.thickness
+
+
+def _thickness_per_side(mesh: Mesh) -> Floats:
+    """(E,) thickness over the side of a square of the element's projected area."""
+    a, b, c, d = (mesh.points[mesh.topology.elements[:, corner]] for corner in range(4))
+    doubled = np.linalg.norm(np.cross(c - a, d - b), axis=1)
+    return np.asarray(_thickness(mesh) / np.maximum(np.sqrt(doubled / 2.0), _LEAST_SIDE))
 
 
 _OF_MESHES = (
     Measure(VALID, "Valid", "1 where the element is convex, not collapsed and not against the plate, else 0"),
     Measure(TRIANGLE_SHARE, "Share of triangles", "triangles / elements"),
-    Measure("edge_over_size", "Longest edge / element size", "longest edge / the mesh's target size s",
-            metric="longest_edge", over="target_size"),
-    Measure("edge_over_thickness", "Longest edge / thickness", "longest edge / the plate's thickness t",
-            metric="longest_edge", over="thickness"),
+    Measure("edge_over_size", "Longest edge / element size", "longest edge / target size s of the mesh",
+            metric="longest_edge", needs="target_size", length=_size),
+    Measure("edge_over_thickness", "Longest edge / thickness", "longest edge / thickness t of the plate",
+            metric="longest_edge", needs="thickness", length=_thickness),
+    Measure("ansys_warping_over_thickness", "Warping over thickness (ANSYS)",
+            "height of an edge's ends off each other / thickness t of the plate",
+            metric="ansys_warping_factor", needs="thickness", length=_thickness_per_side),
 )  # fmt: skip
 
 MEASURES: dict[str, Measure] = {
