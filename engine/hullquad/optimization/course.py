@@ -5,11 +5,12 @@ from time import monotonic
 
 import numpy as np
 
-from hullquad.arrays import Floats
+from hullquad.arrays import Floats, floats
 from hullquad.mesh import Mesh
 from hullquad.optimization import descent
 from hullquad.optimization.energy import Elements, Energy, energy_at
 from hullquad.optimization.problem import Problem
+from hullquad.optimization.rollback import held_back
 from hullquad.optimization.winslow import folding
 
 
@@ -31,8 +32,11 @@ class Course:
         self.number = 0
         self.status = descent.GOING_ON
         """How the last stage ended: GOING_ON when iterations or time were used up before."""
-        self.elements = Elements(given.quads, given.triangles, given.normals)
+        self._tangents, normals = given.directions(given.points)
+        self.elements = Elements(given.quads, given.triangles, normals)
         self._run = descent.descent(given.points, given.movable)
+        self._on_surface = given.points
+        """Where the nodes were when they were brought back last."""
         self._iterations, self._stride = iterations, stride
         self._deadline = monotonic() + seconds
 
@@ -73,13 +77,31 @@ class Course:
 
         Ends after `most` iterations, when one gains less than `gain`, or when the course is complete.
         """
-        problem, left = self.problem, most
-        descent.begin(self._run, problem.tangents, self.elements, energy)
-        self.status, made = descent.GOING_ON, 0
+        left, made = most, 0
+        before = descent.begin(self._run, self._tangents, self.elements, energy)
+        self.status = descent.GOING_ON
         while left > 0 and self.status == descent.GOING_ON and not self.is_complete:
             count = min(self._stride, left, self._iterations - self.number)
-            self.status = descent.iterate(self._run, problem.tangents, self.elements, energy, count, gain)
+            self.status = descent.iterate(self._run, self._tangents, self.elements, energy, count, gain)
             done = int(self._run.counts[1]) - made
             made, left, self.number = made + done, left - done, self.number + done
+            if done and self.problem.surface is not None:
+                value, made = self._settled(energy), 0
+                self.status = descent.CONVERGED if before - value < gain * done else self.status
+                before = value
             if done:
                 yield self.number
+
+    def _settled(self, energy: Energy) -> float:
+        """Bring the nodes back onto the surface and begin anew from there; the energy then.
+
+        Nodes of elements that would be folded by it go back to where they were brought last.
+        """
+        surface, movable = self.problem.surface, self.problem.movable
+        assert surface is not None  # nodes cannot leave a plane
+        self.points[:movable] = surface.feet(self.points[:movable])[0]
+        held_back(self._on_surface, self.points, self.elements, 0.0, 0, np.ones(movable))
+        self._on_surface = floats(self.points.copy())
+        self._tangents, normals = self.problem.directions(self.points)
+        self.elements = self.elements._replace(normals=normals)
+        return descent.begin(self._run, self._tangents, self.elements, energy)

@@ -12,7 +12,7 @@ import numpy as np
 from hullquad.arrays import Floats, Longs
 from hullquad.metrics.compiled import compiled
 from hullquad.optimization.energy import Elements, Energy, energy_at
-from hullquad.optimization.rollback import held_back
+from hullquad.optimization.rollback import HALVINGS, held_back
 
 PAIRS = 7
 """Steps that are remembered."""
@@ -173,7 +173,7 @@ def _try(
     _move(run.points, tangents, run.direction, length, run.trial)
     is_whole = True
     if energy.keeps_valid:
-        is_whole = not held_back(run.points, run.trial, elements, energy.floor, run.shares)
+        is_whole = not held_back(run.points, run.trial, elements, energy.floor, HALVINGS, run.shares)
     value = energy_at(run.trial, elements, energy, run.node_gradient)
     _reduce(run.node_gradient, tangents, run.trial_gradient)
     along = slope * length if is_whole else _slope_made(run, tangents)

@@ -4,19 +4,23 @@ import attrs
 import numpy as np
 
 from hullquad.arrays import Bools, Floats, Ints, Longs, floats, ints, longs
-from hullquad.errors import MeshError
 from hullquad.mesh import Mesh
+from hullquad.optimization.facets import Facets, facets
 from hullquad.optimization.order import along_a_curve
-from hullquad.topology import NodeState
+from hullquad.topology import NodeState, half_edges, paired_sides
 
 _UP = (0.0, 0.0, 1.0)
+_CREASE = np.cos(np.radians(30.0))
+"""Cosine of the angle between two elements from which on the edge between them is one of the shape."""
 
 
 @attrs.frozen(eq=False, kw_only=True)
 class Problem:
-    """Nodes in the plane's own coordinates, the movable ones first, and the elements that contain one of these.
+    """Nodes, the movable ones first, and the elements that contain one of these.
 
-    What is far from every movable node is left out: it can neither move nor change.
+    A mesh on a plane is seen in the plane's own coordinates. Without a surface it is seen in space: its nodes move
+    in the tangent planes of its own facets and are brought back onto them. What is far from every movable node is
+    left out: it can neither move nor change.
     """
 
     mesh: Mesh
@@ -26,14 +30,12 @@ class Problem:
     """Number of nodes that may move: the first ones."""
     points: Floats = attrs.field(converter=floats)
     """(K, 3) [mm]"""
-    tangents: Floats = attrs.field(converter=floats)
-    """(movable, 2, 3) unit vectors along which a node moves with its two unknowns; zero where it must not."""
     quads: Ints = attrs.field(converter=ints)
     """(Q, 4)"""
     triangles: Ints = attrs.field(converter=ints)
     """(T, 3)"""
-    normals: Floats = attrs.field(converter=floats)
-    """(1, 3) or (Q + T, 3) directions that quads, then triangles must face."""
+    surface: Facets | None
+    """What nodes are brought back onto; None on a plane, which they cannot leave."""
 
     @property
     def size(self) -> float:
@@ -43,47 +45,62 @@ class Problem:
     def mesh_at(self, points: Floats) -> Mesh:
         """The mesh with the movable nodes at `points`; every other node keeps its bits."""
         moved = self.nodes[: self.movable]
+        if self.surface is not None:
+            places = np.array(self.mesh.points)
+            places[moved] = points[: self.movable]
+            return attrs.evolve(self.mesh, points=places)
         parameters = np.array(self.mesh.parameters)
         parameters[moved] = points[: self.movable, :2]
         return self.mesh.with_parameters(parameters)
 
+    def directions(self, points: Floats) -> tuple[Floats, Floats]:
+        """Unit vectors (movable, 2, 3) that nodes at `points` may move along, and (1 or Q + T, 3) element normals."""
+        if self.surface is None:
+            return np.broadcast_to(np.eye(3)[:2], (self.movable, 2, 3)), floats([_UP])
+        _, normals = self.surface.feet(points)
+        corners = [normals[elements].sum(axis=1) for elements in (self.quads, self.triangles)]
+        return _tangents(normals[: self.movable]), floats(_units(np.concatenate(corners)))
+
 
 def problem(mesh: Mesh, chosen: Bools | None = None) -> Problem:
-    """The problem of a mesh on a plane; of `chosen` nodes (N,) alone, if they are given.
-
-    Raises
-    ------
-    MeshError
-        E_CURVED: the mesh lies on no known surface.
-    """
-    if mesh.surface is None or mesh.parameters is None:
-        raise MeshError("E_CURVED", mesh.plate_id or "mesh", "optimize")
-    states = mesh.topology.node_states
-    may_move = (states == NodeState.FREE) if chosen is None else (states == NodeState.FREE) & chosen
-    elements = _touched(mesh.topology.elements, may_move)
+    """The problem of a mesh; of `chosen` nodes (N,) alone, if they are given."""
+    may_move = np.equal(mesh.topology.node_states, NodeState.FREE)
+    if chosen is not None:
+        may_move = may_move & chosen
+    flat = mesh.parameters if mesh.surface is not None else None
+    if flat is None:
+        may_move = may_move & ~_on_creases(mesh)
+    elements = mesh.topology.elements
+    elements = elements[(may_move[elements] & (elements >= 0)).any(axis=1)]
     may_move = may_move & _are_used(elements, len(may_move))
-    points = np.concatenate([mesh.parameters, np.zeros((len(mesh.points), 1))], axis=1)
+    points = mesh.points if flat is None else np.concatenate([flat, np.zeros((len(flat), 1))], axis=1)
     nodes = _ordered(points, may_move, elements)
-    rows = np.full(len(mesh.points), -1, dtype=np.int32)
+    rows = np.full(len(points), -1, dtype=np.int32)
     rows[nodes] = np.arange(len(nodes))
-    renumbered = np.where(elements < 0, -1, rows[elements])
-    is_triangle = elements[:, 3] < 0
-    movable = int(may_move.sum())
+    renumbered, is_triangle = np.where(elements < 0, -1, rows[elements]), elements[:, 3] < 0
     return Problem(
         mesh=mesh,
         nodes=nodes,
-        movable=movable,
+        movable=int(may_move.sum()),
         points=points[nodes],
-        tangents=np.broadcast_to(np.eye(3)[:2], (movable, 2, 3)),
         quads=_sorted(renumbered[~is_triangle]),
         triangles=_sorted(renumbered[is_triangle, :3]),
-        normals=[_UP],
+        surface=facets(mesh.points, mesh.topology.elements) if flat is None else None,
     )
 
 
-def _touched(elements: Ints, may_move: Bools) -> Ints:
-    """Elements with a movable node."""
-    return elements[(may_move[elements] & (elements >= 0)).any(axis=1)]
+def _on_creases(mesh: Mesh) -> Bools:
+    """(N,) nodes of edges at which the elements meet at an angle: moving them would cut a corner off the shape."""
+    elements = mesh.topology.elements
+    a, b, c, d = (mesh.points[elements[:, corner]] for corner in range(4))
+    areas = _units(np.cross(c - a, np.where(elements[:, 3:] < 0, a, d) - b))
+    sides, owners = half_edges(elements)
+    one, other = paired_sides(sides)
+    sense = np.where(sides[one, 0] == sides[other, 0], -1.0, 1.0)
+    is_sharp = sense * (areas[owners[one]] * areas[owners[other]]).sum(axis=1) < _CREASE
+    found = np.zeros(len(mesh.points), dtype=bool)
+    found[sides[one[is_sharp]]] = True
+    return found
 
 
 def _ordered(points: Floats, may_move: Bools, elements: Ints) -> Longs:
@@ -102,3 +119,16 @@ def _are_used(elements: Ints, nodes: int) -> Bools:
 def _sorted(elements: Ints) -> Ints:
     """Elements in the order of their first node: what is near in space is near in memory."""
     return elements[np.argsort(elements.min(axis=1, initial=2**31 - 1), kind="stable")]
+
+
+def _tangents(normals: Floats) -> Floats:
+    """(M, 2, 3) two unit vectors across each normal and each other; zero where there is no normal."""
+    across = np.eye(3)[np.abs(normals).argmin(axis=1)]
+    first = _units(np.cross(normals, across))
+    return floats(np.stack([first, np.cross(normals, first)], axis=1))
+
+
+def _units(vectors: Floats) -> Floats:
+    """The vectors over their lengths; the zero vector stays zero."""
+    lengths = np.linalg.norm(vectors, axis=-1, keepdims=True)
+    return np.asarray(vectors / np.where(lengths > 0, lengths, 1.0))

@@ -10,21 +10,22 @@ from hullquad.optimization.energy import Elements
 
 _LEAST_KEPT = 0.4
 """Part of its quality that an element below the floor must keep in one step."""
-_ROUNDS, _HALVED = 12, 4
+HALVINGS = 4
+_ROUNDS = 12
 _EQUILATERAL = 2.0 / sqrt(3.0)
 
 
 @compiled
-def held_back(points: Floats, trial: Floats, elements: Elements, floor: float, shares: Floats) -> bool:
+def held_back(points: Floats, trial: Floats, elements: Elements, floor: float, halvings: int, shares: Floats) -> bool:
     """Shorten the moves from `points` to `trial` of the nodes of elements that would lose too much; whether any was.
 
     An element may become worse down to `floor` (of its scaled Jacobian); below, it must keep a part of what it has,
-    so that none is ever turned inside out. Moves are halved, then taken back.
+    so that none is ever turned inside out. Moves are halved up to so many times, then taken back.
     """
     is_any = False
     for round_ in range(_ROUNDS):
         shares[:] = 1.0
-        if not _shorten(points, trial, elements, floor, shares, 0.5 if round_ < _HALVED else 0.0):
+        if not _shorten(points, trial, elements, floor, shares, 0.5 if round_ < halvings else 0.0):
             break
         is_any = True
         for node in range(len(shares)):

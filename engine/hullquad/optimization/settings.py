@@ -1,4 +1,6 @@
-"""The parameters of the paper's method: apart from it, so that asking for them loads no compiled kernel."""
+"""The parameters of the methods: apart from them, so that asking for them loads no compiled kernel."""
+
+from math import inf
 
 import attrs
 
@@ -20,3 +22,17 @@ class PaperSettings:
 
     Without it the run is the paper's to the letter, and may fold elements: most metrics cannot see that.
     """
+
+
+@attrs.frozen(kw_only=True)
+class SearchSettings:
+    """The parameters of all other methods."""
+
+    floor: float | None = 0.3
+    """Scaled Jacobian that an element is not pushed below for the sake of others; None: the pure objective."""
+    iterations: int = 1000
+    """Most iterations."""
+    seconds: float = inf
+    """Most time."""
+    stride: int = 1
+    """Iterations from one iterate to the next: 1 to watch each, many to be quick. The way is the same."""
