@@ -49,3 +49,20 @@ def dented() -> Mesh:
     first = np.array([row * 4 + column for row in range(3) for column in range(3)])
     elements = first[:, None] + np.array([0, 1, 5, 4])
     return flat_mesh(nodes, elements, ~inner, 100.0)
+
+
+@pytest.fixture(scope="session")
+def bent() -> Callable[[int], tuple[np.ndarray, np.ndarray]]:
+    """Make points and elements of a quarter of a cylinder of 500 mm, so many points across; some are triangles."""
+
+    def make(columns: int) -> tuple[np.ndarray, np.ndarray]:
+        s, t = np.meshgrid(np.linspace(0, np.pi / 2, columns), np.linspace(0, 800, columns))
+        points = np.stack([500.0 * np.cos(s), t, 500.0 * np.sin(s)], axis=-1).reshape(-1, 3)
+        corner = (np.arange(columns - 1)[:, None] * columns + np.arange(columns - 1)).reshape(-1, 1)
+        elements = corner + np.array([0, 1, columns + 1, columns])
+        second = elements[::7][:, [0, 2, 3]]  # the other half of a quad that becomes a triangle
+        elements[::7, 3] = -1
+        halves = np.pad(second, ((0, 0), (0, 1)), constant_values=-1)
+        return points, np.concatenate([elements, halves]).astype(np.int32)
+
+    return make

@@ -10,16 +10,6 @@ from hullquad.optimization.facets import facets
 CHANCE = np.random.default_rng(5)
 
 
-def bent(columns: int = 12, radius: float = 500.0) -> tuple[np.ndarray, np.ndarray]:
-    """Quads and some triangles on a quarter of a cylinder."""
-    s, t = np.meshgrid(np.linspace(0, np.pi / 2, columns), np.linspace(0, 800, columns))
-    points = np.stack([radius * np.cos(s), t, radius * np.sin(s)], axis=-1).reshape(-1, 3)
-    corner = (np.arange(columns - 1)[:, None] * columns + np.arange(columns - 1)).reshape(-1, 1)
-    quads = corner + np.array([0, 1, columns + 1, columns])
-    quads[::7, 3] = -1
-    return points, quads.astype(np.int32)
-
-
 def brute(surface, point):
     """Nearest distance by many points of every facet."""
     u, v = np.meshgrid(np.linspace(0, 1, 60), np.linspace(0, 1, 60))
@@ -32,15 +22,21 @@ def brute(surface, point):
     return np.linalg.norm(places - point, axis=2).min()
 
 
-def test_points_of_the_mesh_are_their_own_feet():
-    surface = facets(*bent())
+@pytest.fixture(scope="module")
+def arched(bent):
+    """Facets of a quarter of a cylinder, six points across."""
+    return facets(*bent(6))
+
+
+def test_points_of_the_mesh_are_their_own_feet(bent):
+    surface = facets(*bent(12))
     feet, _ = surface.feet(surface.points[np.unique(surface.triangles)])
     np.testing.assert_allclose(feet, surface.points[np.unique(surface.triangles)], atol=1e-9)
 
 
 @given(place=st.tuples(st.floats(-200, 900), st.floats(-200, 1000), st.floats(-200, 900)))
-def test_no_point_of_a_facet_is_nearer_than_the_foot(place):
-    surface = facets(*bent(6))
+def test_no_point_of_a_facet_is_nearer_than_the_foot(arched, place):
+    surface = arched
     point = np.array([place])
     (foot,), _ = surface.feet(point)
     found = np.linalg.norm(foot - point[0])
@@ -48,7 +44,7 @@ def test_no_point_of_a_facet_is_nearer_than_the_foot(place):
     assert found >= brute(surface, point[0]) - 10.0  # the many points are 10 mm apart
 
 
-def test_normals_are_those_of_the_cylinder():
+def test_normals_are_those_of_the_cylinder(bent):
     points, elements = bent(40)
     surface = facets(points, elements)
     angles, along = CHANCE.uniform(0.1, 1.4, 200), CHANCE.uniform(50, 750, 200)
@@ -58,7 +54,7 @@ def test_normals_are_those_of_the_cylinder():
     np.testing.assert_allclose(np.hypot(feet[:, 0], feet[:, 2]), 500.0, atol=0.2)
 
 
-def test_facets_without_area_do_no_harm():
+def test_facets_without_area_do_no_harm(bent):
     points, elements = bent(5)
     points[7] = points[6]
     feet, normals = facets(points, elements).feet(points + 3.0)

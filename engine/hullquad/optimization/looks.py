@@ -20,14 +20,15 @@ Rank = tuple[float, ...]
 
 
 def looks(
-    mesh: Mesh, metric: Metric, course: Course, stages: Iterator[str], rank: Callable[[Mesh], Rank]
+    mesh: Mesh, metric: Metric, course: Course, stages: Iterator[str], rank: Callable[[], Rank]
 ) -> Iterator[Iterate]:
     """Iterates of a course, the given mesh first; `stages` yields the name of its stage after each of its steps.
 
-    An iterate is the best when its rank is greater than that of all before it. The last one knows why the course
-    ended; when that could gain nothing, the given mesh is the best, and the stop says so.
+    `rank` is that of the nodes as they are now; an iterate is the best when its rank is greater than that of all
+    before it. The last one knows why the course ended; when that could gain nothing, the given mesh is the best,
+    and the stop says so.
     """
-    best = rank(mesh)
+    best = rank()
     newest = _first(mesh, metric)
     if not course.problem.movable:
         yield attrs.evolve(newest, stop=stops.NO_FREE_NODES)
@@ -36,18 +37,22 @@ def looks(
     for stage in stages:
         yield newest
         now = course.mesh()
-        value = rank(now)
+        value = rank()
         is_best = value > best
         best, is_better = max(best, value), is_better or is_best
         newest = _next(newest, now, metric, course.number, stage, is_best=is_best)
-    yield attrs.evolve(newest, stop=ending(course) if is_better else stops.NO_GAIN)
+    yield attrs.evolve(newest, stop=ending(course, newest, is_better=is_better))
 
 
-def ending(course: Course) -> Stop:
-    """Why a course ended."""
-    if not course.is_complete:
-        return stops.GAIN
-    return stops.TIME if course.is_out_of_time else stops.ITERATIONS
+def ending(course: Course, last: Iterate, *, is_better: bool) -> Stop:
+    """Why a course ended, and with what."""
+    if course.is_complete and not course.is_out_of_time:
+        return stops.ITERATIONS
+    if course.is_complete:
+        return stops.TIME
+    if last.quality.inverted_count:
+        return stops.still_folded(last.mesh.topology.element_labels[~last.quality.valid].tolist())
+    return stops.GAIN if is_better else stops.NO_GAIN
 
 
 def farthest_move(before: Floats, after: Floats) -> float:

@@ -1,5 +1,7 @@
 """Why a run ended, and what to do about it."""
 
+from collections.abc import Sequence
+
 import attrs
 
 
@@ -32,6 +34,20 @@ GAIN = Stop(
     "the best sum has hardly grown over the last iterations",
     "Converged: going on would gain next to nothing. A smaller element size or another metric changes more.",
 )
+_MOST_NAMED = 12
+
+
+def still_folded(labels: Sequence[int]) -> Stop:
+    """The reason of a run that could not open all elements, with their labels."""
+    named = ", ".join(map(str, labels[:_MOST_NAMED])) + (" …" if len(labels) > _MOST_NAMED else "")
+    count = "1 element stays" if len(labels) == 1 else f"{len(labels)} elements stay"
+    return Stop(
+        "folded",
+        f"{count} folded, which no move of the free nodes opens: {named}",
+        "Their fixed or pinned nodes hold them: change the contour there, free a node, or mesh anew.",
+    )
+
+
 TIME = Stop(
     "time",
     "the time that was given is used up",

@@ -33,9 +33,14 @@ def untangling(course: Course) -> Iterator[int]:
 
 
 def relaxing(course: Course, most: int) -> Iterator[int]:
-    """A stage that evens out an open mesh: the start of everything that follows."""
-    energy = winslow(course, _SMALLEST)
-    yield from course.stage(energy, most, _GAIN * course.value(energy))
+    """A stage that evens out an open mesh: the start of everything that follows; a folded one is left alone."""
+    if not course.folded[0]:
+        yield from course.stage(winslow(course, _SMALLEST), most, _GAIN * evenness(course))
+
+
+def evenness(course: Course) -> float:
+    """Winslow's energy as it is: 1 for each square, half for an equilateral triangle, huge where folded."""
+    return course.value(winslow(course, _SMALLEST))
 
 
 def winslow(course: Course, epsilon: float) -> Energy:
