@@ -34,10 +34,9 @@ class Overlay(QWidget):
         self.update()
 
     def set_camera(self, camera: Camera | None) -> None:
-        """Follow the camera; None hides bar and axes, for a view with nothing in it."""
+        """Follow the camera when the view is painted next; None hides bar and axes, for one with nothing in it."""
         self.camera = camera
         self._hovered, self.tip = None, ""
-        self.update()
 
     def set_notice(self, text: str) -> None:
         """Say something in the middle of the view."""
@@ -47,8 +46,9 @@ class Overlay(QWidget):
 
     def set_loops(self, loops: list[Floats]) -> None:
         """Shade a plate that is not meshed: its outline and holes, each (N, 3) in space."""
-        self._loops = loops
-        self.update()
+        if loops or self._loops:
+            self._loops = loops
+            self.update()
 
     def hover(self, tip: str, cursor: QPointF, corners: Floats | None) -> None:
         """Outline an element, its `corners` (K, 3) in space, and say something of it beside the cursor."""

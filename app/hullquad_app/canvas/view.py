@@ -14,14 +14,14 @@ from hullquad.surface import Plane
 from hullquad_app.canvas.overlay import Overlay
 from hullquad_app.canvas.picker import Picker, corners, nodes_of
 from hullquad_app.canvas.pointer import Pointer
-from hullquad_app.canvas.surface_format import hold_place, set_surface_format
 from hullquad_app.canvas.tip import tip
 from hullquad_app.canvas.viewpoint import Viewpoint
 from hullquad_app.colours import BROKEN, LIGHT, ColourMap, Palette
 from hullquad_app.scene import Scene
+from hullquad_app.turns import Turns
 
 if TYPE_CHECKING:
-    from hullquad_app.canvas.interactor import Interactor
+    from hullquad_app.canvas.pane import Pane
     from hullquad_app.canvas.stage import Stage
 
 _NOWHERE = floats(np.empty((0, 3)))
@@ -51,12 +51,11 @@ class Canvas(QWidget):
     hovered = Signal(int)
     """Emitted with the row of the element below the cursor when it changes; -1 for none."""
     painted = Signal(float)
-    """Emitted with the seconds that painting the plate took."""
+    """Emitted with the seconds that drawing the plate took, when it is on the screen."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget | None = None, turns: Turns | None = None) -> None:
         super().__init__(parent)
-        set_surface_format()
-        hold_place(self)
+        self._turns = turns or Turns(self)
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAutoFillBackground(True)
@@ -66,7 +65,7 @@ class Canvas(QWidget):
         self.viewpoint = Viewpoint(self)
         self.viewpoint.changed.connect(self._refresh)
         self.overlay = Overlay(self)
-        self._interactor: Interactor | None = None
+        self._pane: Pane | None = None
         self._scene = Scene()
         self._subject: tuple[object, ...] = ()
         self._place: Floats = _NOWHERE
@@ -78,17 +77,17 @@ class Canvas(QWidget):
 
     def start(self) -> None:
         """Fill the view; takes a second, so the window is shown before."""
-        if self._interactor is not None:
+        if self._pane is not None:
             return
-        from hullquad_app.canvas.interactor import Interactor  # noqa: PLC0415  brings VTK
+        from hullquad_app.canvas.pane import Pane  # noqa: PLC0415  brings VTK
         from hullquad_app.canvas.stage import Stage  # noqa: PLC0415
 
-        self._interactor = Interactor(self)
-        self._interactor.painted.connect(self.painted)
-        self._interactor.setGeometry(self.rect())
-        self._interactor.lower()
-        self._interactor.show()
-        self.stage = Stage(self._interactor.renderer, self._palette)
+        self._pane = Pane(self, self._turns)
+        self._pane.painted.connect(self.painted)
+        self._pane.setGeometry(self.rect())
+        self._pane.lower()
+        self._pane.show()
+        self.stage = Stage(self._pane.renderer, self._palette)
         self.stage.set_colour_map(self._map)
         self.stage.show_edges(self._shows_edges)
         self.stage.show_place(self._place)
@@ -96,16 +95,17 @@ class Canvas(QWidget):
 
     def stop(self) -> None:
         """Close the view; it stays empty from then on."""
-        interactor, self._interactor, self.stage = self._interactor, None, None
-        if interactor is not None:
-            interactor.painted.disconnect(self.painted)
-            interactor.finish()
-            interactor.deleteLater()
+        self._turns.stop()
+        pane, self._pane, self.stage = self._pane, None, None
+        if pane is not None:
+            pane.painted.disconnect(self.painted)
+            pane.finish()
+            pane.deleteLater()
 
     @property
     def is_smooth(self) -> bool:
         """Whether the view is at rest and its lines are smoothed."""
-        return self._interactor is not None and self._interactor.is_smooth
+        return self._pane is not None and self._pane.is_smooth
 
     def show_scene(self, scene: Scene) -> None:
         """Show a scene; only what differs from the one before is touched."""
@@ -227,8 +227,8 @@ class Canvas(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Keep the plate in the middle."""
         self.overlay.setGeometry(self.rect())
-        if self._interactor is not None:
-            self._interactor.setGeometry(self.rect())
+        if self._pane is not None:
+            self._pane.setGeometry(self.rect())
         self.viewpoint.resize(event.size())
 
     def changeEvent(self, event: QEvent) -> None:
@@ -246,11 +246,12 @@ class Canvas(QWidget):
         """Paint as the camera sees it now."""
         camera = self.viewpoint.camera
         self.overlay.set_camera(camera if len(self.viewpoint.points) else None)
-        if self.stage is None or self._interactor is None:
+        if self.stage is None or self._pane is None:
+            self.overlay.update()
             return
         camera.apply(self.stage.renderer.GetActiveCamera(), self.height(), self.stage.box)
         self.stage.look(camera.towards, camera.pixel, self.devicePixelRatioF())
-        self._interactor.refresh()
+        self._pane.refresh()
 
     def _row_at(self, position: QPointF) -> int:
         place = self.viewpoint.place(position.x(), position.y())
