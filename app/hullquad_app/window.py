@@ -17,6 +17,7 @@ from hullquad_app.docks import Docks
 from hullquad_app.filing import Filing
 from hullquad_app.history_bar import HistoryBar
 from hullquad_app.judging_files import JudgingFiles
+from hullquad_app.live import Live
 from hullquad_app.message_bar import MessageBar
 from hullquad_app.recent import RecentFiles
 from hullquad_app.scene import Scene, State
@@ -24,6 +25,7 @@ from hullquad_app.session import Session
 from hullquad_app.status import StatusBar
 from hullquad_app.theme_menu import ThemeMenu
 from hullquad_app.toolbar import Choices
+from hullquad_app.turns import Turns
 from hullquad_app.welcome import Welcome
 
 _LAYOUT_VERSION = 1
@@ -39,9 +41,11 @@ class MainWindow(QMainWindow):
         super().__init__()
         self.session = session
         self.filing, self.judging_files = Filing(session, self), JudgingFiles(session.judging, self)
-        self.canvas, self.welcome = Canvas(), Welcome()
+        self._turns = Turns(self)
+        self.canvas, self.welcome = Canvas(turns=self._turns), Welcome()
         self.messages, self.choices = MessageBar(), Choices()
         self.docks, self.history, self.status = Docks(self), HistoryBar(), StatusBar()
+        self._live = Live(session.document, self._turns)
         self.actions_by_name = Actions(self._targets(), self)
         self._state = session.document.scene.state
         self._middle, self._colours = QStackedWidget(), ColourMenu(self)
@@ -73,8 +77,11 @@ class MainWindow(QMainWindow):
         if _is_other(before, scene.state, scene.view.key):
             self.messages.hide()
         self._middle.setCurrentWidget(self.canvas if scene.state.keys else self.welcome)
-        for shows in (self.canvas, self.docks, self.choices, self.history, self.status):
-            shows.show_scene(scene)
+        if scene.running:
+            self._live.show()
+        else:
+            for shows in (self.canvas, self.docks, self.choices, self.history, self.status):
+                shows.show_scene(scene)
         name = scene.state.title
         self.setWindowTitle(self.tr("{name}[*] – HullQuad").format(name=name) if name else self.tr("HullQuad"))
         self.setWindowModified(self.session.is_modified)
@@ -208,6 +215,10 @@ class MainWindow(QMainWindow):
         self.canvas.picked.connect(lambda row, extend: session.select({row}, extend=extend))
         self.canvas.painted.connect(session.optimizer.run.painted)
         self.canvas.missed.connect(lambda: session.select(()))
+        self._live.follow(self.canvas)
+        self._live.follow(self.docks.quality, self.choices, self.history, self.status)
+        self._live.follow(self.docks.objective, self.docks.search, seldom=True)
+        self._live.follow(self.docks.worst, self.docks.meshing, self.docks.plates, seldom=True)
         self.docks.connect_to(session, self.canvas)
         for box in (*self.choices.limits.boxes, *self.docks.number_boxes()):
             box.lineEdit().returnPressed.connect(self.canvas.setFocus)  # letters are keys again

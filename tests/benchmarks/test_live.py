@@ -1,4 +1,9 @@
-"""Watching a run: frames per second, and how long the window does not answer, beside a bare PyVista view."""
+"""Watching a run: frames per second, and how long the window does not answer, beside a bare PyVista view.
+
+A paint is all that one frame has painted: VTK's drawing of the plate, and every repaint of the window until the next
+drawing, by Qt's own measure (the event `UpdateRequest`: view, panels, and handing both to the screen). What computes
+or lists is no part of it. A heartbeat is a timer of 10 ms; no gap between two of its beats can be shorter than that.
+"""
 
 import os
 import statistics
@@ -11,7 +16,7 @@ if sys.platform.startswith("linux"):
 import numpy as np
 import pytest
 import pyvista
-from PySide6.QtCore import QSettings, QTimer
+from PySide6.QtCore import QEvent, QSettings, QTimer
 from PySide6.QtTest import QTest
 
 from hullquad.mesh import Mesh
@@ -27,9 +32,25 @@ SECONDS = 6.0
 SIZES = (1000, 10_000, 100_000)
 
 
+class MeasuredWindow(MainWindow):
+    """The window, with the seconds of every repaint."""
+
+    def __init__(self, session):
+        super().__init__(session)
+        self.frames = []
+        self.canvas.painted.connect(self.frames.append)
+
+    def event(self, happening):
+        start = time.perf_counter()
+        result = super().event(happening)
+        if happening.type() == QEvent.Type.UpdateRequest and self.frames:
+            self.frames[-1] += time.perf_counter() - start
+        return result
+
+
 @pytest.fixture
 def window(qapp, tmp_path):
-    window = MainWindow(Session(Settings(QSettings(str(tmp_path / "s.ini"), QSettings.Format.IniFormat))))
+    window = MeasuredWindow(Session(Settings(QSettings(str(tmp_path / "s.ini"), QSettings.Format.IniFormat))))
     window.resize(1440, 900)
     window.show()
     window.start()
@@ -44,12 +65,12 @@ def window(qapp, tmp_path):
 
 @pytest.mark.parametrize("quads", SIZES)
 def test_watching_a_run(window, shaken_grid, quads, capsys):
-    session, paints, gaps = window.session, [], []
+    session, gaps = window.session, []
     session.set_paper(PaperSettings(iterations=10**6, tolerance=0.0))
     mesh = shaken_grid(quads)
     session.document.open(State(title="grid", tracks={"grid": Track((unmoved(mesh, metric("stretch")),))}))
     QTest.qWait(500)
-    window.canvas.painted.connect(paints.append)
+    window.frames.clear()
     beat = QTimer(interval=10)
     last = time.perf_counter()
 
@@ -64,21 +85,22 @@ def test_watching_a_run(window, shaken_grid, quads, capsys):
     beat.start()
     start, cpu = time.perf_counter(), time.process_time()
     QTest.qWait(int(1000 * SECONDS))
+    beat.stop()
     seconds, cpu = time.perf_counter() - start, time.process_time() - cpu
     session.pause()
     iterates = session.document.scene.track.last.number
     while session.document.scene.running:
         QTest.qWait(10)
+    paints = window.frames[:-1]
     assert len(paints) > 5
     bare = bare_frames(mesh)
-    p95 = float(np.percentile(gaps, 95))
+    p95, paint = float(np.percentile(gaps, 95)), statistics.median(paints)
     with capsys.disabled():
         print(
             f"\n{quads:>7} quads: {len(paints) / seconds:5.1f} frames/s, {iterates / seconds:7.1f} iterates/s, "
-            f"paint median {1e3 * statistics.median(paints):5.1f} ms, "
-            f"heartbeat median {1e3 * statistics.median(gaps):5.1f} "
-            f"p95 {1e3 * p95:6.1f} max {1e3 * max(gaps):6.1f} ms, cpu per frame {1e3 * cpu / len(paints):6.1f} ms, "
-            f"bare frame {1e3 * bare:6.1f} ms"
+            f"paint median {1e3 * paint:5.1f} ms, heartbeat median {1e3 * statistics.median(gaps):5.1f} "
+            f"p95 {1e3 * p95:6.1f} max {1e3 * max(gaps):6.1f} ms, p95 by paint {p95 / paint:4.2f}, "
+            f"cpu per frame {1e3 * cpu / len(paints):6.1f} ms, bare frame {1e3 * bare:6.1f} ms"
         )
 
 
