@@ -2,7 +2,7 @@
 
 import signal
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 
@@ -16,8 +16,14 @@ from hullquad_app.session import Session
 from hullquad_app.window import MainWindow
 
 
-def show(files: Sequence[str]) -> int:
-    """Show the window with `files` opened until it is closed; gives the exit code."""
+def show(files: Sequence[str], watch: Callable[[MainWindow], object] = lambda _: None) -> int:
+    """Show the window with `files` opened until it is closed; gives the exit code.
+
+    Parameters
+    ----------
+    watch
+        Gets the window before it is shown: who measures it enters by the same door as everybody.
+    """
     application = QApplication(sys.argv[:1])
     application.setApplicationName("hullquad")
     application.setApplicationDisplayName("HullQuad")
@@ -27,10 +33,9 @@ def show(files: Sequence[str]) -> int:
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl+C in the terminal; Qt's loop would never look
     window = MainWindow(Session())
     faults = Faults(window)
+    watch(window)
     window.show()
-    QTimer.singleShot(0, window.start)
-    if files:
-        QTimer.singleShot(0, partial(window.filing.open, Path(files[0])))
+    QTimer.singleShot(0, partial(window.start, Path(files[0]) if files else None))
     code = application.exec()
     window.stop()
     faults.release()

@@ -59,12 +59,19 @@ class MainWindow(QMainWindow):
         self._restore()
         self.show_scene(session.document.scene)
 
-    def start(self) -> None:
-        """Fill the view and load the engine, once the window is there."""
+    def start(self, path: Path | None = None) -> None:
+        """Open a file and fill the view, once the window is there; load the engine when that is on the screen."""
         if self.session.settings.layout.isEmpty():
             self.docks.set_width()
+        if path is not None:
+            self.filing.open(path)  # read in a thread while VTK is loaded
         self.canvas.start()
-        self.session.prepare()
+        opening = self.session.workshop.jobs.opening
+        if opening.is_running:
+            once = Qt.ConnectionType.SingleShotConnection
+            opening.ended.connect(lambda: self._turns.ask(self.session.prepare), once)  # after the picture's turn
+        else:
+            self.session.prepare()
 
     def stop(self) -> None:
         """End threads and worker, then the view, in this order; what is stopped already stays so."""

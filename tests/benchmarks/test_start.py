@@ -11,29 +11,21 @@ import pytest
 PLATE = Path(__file__).parents[2] / "assets" / "plates" / "hopper_partition.json"
 
 EMPTY_WINDOW = """
+    from functools import partial
     from PySide6.QtCore import QTimer
-    from PySide6.QtWidgets import QApplication
-    from hullquad_app.session import Session
-    from hullquad_app.window import MainWindow
-    application = QApplication([])
-    application.setStyle("Fusion")
-    window = MainWindow(Session())
-    window.show()
-    QTimer.singleShot(0, lambda: os._exit(0))
-    application.exec()
+    from hullquad_app import application, main
+    leave = lambda window: QTimer.singleShot(0, lambda: os._exit(0))
+    application.show = partial(application.show, watch=leave)
+    main.main([])
 """
 FIRST_FRAME = """
-    from pathlib import Path
-    from PySide6.QtWidgets import QApplication
-    from hullquad_app.session import Session
-    from hullquad_app.window import MainWindow
-    application = QApplication([])
-    window = MainWindow(Session())
-    window.show()
-    window.canvas.painted.connect(lambda _: os._exit(0) if window.session.document.scene.state.keys else None)
-    window.start()
-    window.filing.open(Path(sys.argv[1]))
-    application.exec()
+    from functools import partial
+    from hullquad_app import application, main
+    def leave(window):
+        seen = lambda _: os._exit(0) if window.session.document.scene.state.keys else None
+        window.canvas.painted.connect(seen)
+    application.show = partial(application.show, watch=leave)
+    main.main(sys.argv[1:])
 """
 BARE_SCRIPT = """
     import pyvista
