@@ -2,15 +2,14 @@
 
 from collections.abc import Sequence
 
+from hullquad.cli.codes import DONE, REFUSED, USAGE
 from hullquad.cli.interrupt import INTERRUPTED, ending_at_once
 from hullquad.cli.streams import Stream, sturdy_streams
 from hullquad.errors import FileError, HullquadError
 
-DONE, REFUSED, USAGE = 0, 1, 2
-
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run a command; the exit code: 0 done, 1 refused, 2 wrong usage, 130 interrupted."""
+    """Run a command; the exit code: 0 done, 1 refused, 2 wrong usage, 3 violations found, 130 interrupted."""
     try:
         with ending_at_once():
             import hullquad.cli.arguments  # noqa: F401, PLC0415  brings all others: half a second
@@ -27,7 +26,7 @@ def _run(arguments: Sequence[str] | None) -> int:
 
     try:
         options = options_of(arguments)
-        return REFUSED if options.command(options) else DONE
+        return int(options.command(options))
     except HullquadError as error:
         complain(error)
         return USAGE if error.code == "E_SUFFIX" and error.case == "write_mesh" else REFUSED

@@ -8,11 +8,12 @@ from hullquad import __version__
 from hullquad.cli.improving import mesh_plates, optimize_mesh
 from hullquad.cli.judging import judge_mesh
 from hullquad.metrics import METRICS
+from hullquad.rules.built_in import KEYS
 
 SIZES = ("coarse", "fine", "very_fine")
 _LARGEST = 1e9
 
-_EXIT_CODES = "exit codes: 0 done, 1 refused input, 2 wrong usage, 130 interrupted"
+_EXIT_CODES = "exit codes: 0 done, 1 refused input, 2 wrong usage, 3 violations found with --fail-on, 130 interrupted"
 
 
 def parser() -> ArgumentParser:
@@ -88,6 +89,19 @@ def _add_quality(command: ArgumentParser) -> None:
         "--csv", type=_file_name, metavar="FILE|-", help="one row per element, to a file or to standard output"
     )
     command.add_argument("--json", action="store_true", help="print one JSON object")
+    command.add_argument(
+        "--rules",
+        type=_file_name,
+        metavar="NAME|FILE",
+        help="judge by a rule set too: " + ", ".join(KEYS) + ", or a file",
+    )
+    command.add_argument(
+        "--fail-on",
+        choices=["warn", "error"],
+        help="end with 3 where an element is warned of, or is an error, by the rule set; without one, what a metric of "
+        "Table 1 does not accept is an error, what any other metric does not accept a warning. Elements that the "
+        "contour gives so count too; their number is told",
+    )
 
 
 def _add_run(command: ArgumentParser) -> None:

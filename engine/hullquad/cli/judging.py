@@ -1,87 +1,103 @@
-"""The command quality: a mesh judged by every metric."""
+"""The command quality: a mesh judged by every metric, and by a rule set."""
 
-import csv
-import io
 import sys
 from argparse import Namespace
-from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
+import attrs
 import numpy as np
 
+from hullquad.arrays import Bools, Bytes, small_ints
 from hullquad.cli.clock import Clock
+from hullquad.cli.codes import DONE, VIOLATED
+from hullquad.cli.interrupt import ending_at_once
 from hullquad.cli.loading import load
 from hullquad.cli.output import say, say_json
-from hullquad.cli.report import mesh_figures, metric_figures
+from hullquad.cli.quality_figures import metric_figures, rules_figures
+from hullquad.cli.quality_text import quality_text
+from hullquad.cli.report import mesh_figures
 from hullquad.formats import atomic, read_mesh
+from hullquad.given import given
 from hullquad.mesh import Mesh
 from hullquad.metrics import METRICS
-from hullquad.quality import Quality, quality
+from hullquad.metrics.row import MILLIMETRES
+from hullquad.metrics.table import TABLE_1
+from hullquad.quality import quality
+from hullquad.rules import Level, RuleSet, assess, rule_set
+
+_THRESHOLDS = {"warn": Level.WARN, "error": Level.ERROR}
 
 
-def judge_mesh(options: Namespace) -> bool:
-    """Judge a mesh; never refuses a part of it."""
+@attrs.frozen(eq=False)
+class _Verdict:
+    """What is said of every element."""
+
+    levels: Bytes
+    """(E,) values of `Level`."""
+    given: Bools
+    """(E,) which cannot be taken below their level by moving nodes."""
+
+
+def judge_mesh(options: Namespace) -> int:
+    """Judge a mesh; the exit code."""
+    rules = None if options.rules is None else rule_set(options.rules)
     mesh = read_mesh(options.input)
     clock = Clock("import", "prepare", "judge")
     load(clock)
     with clock.running("judge"):
-        judged = {row.key: quality(mesh, row) for row in METRICS}
-    if options.csv == "-":
-        sys.stdout.writelines(_rows(mesh, judged))
-    elif options.csv:
-        atomic.write(Path(options.csv), (row.encode() for row in _rows(mesh, judged)))
+        verdict, figures = _by_metrics(mesh)
+        if rules is not None:
+            verdict, figures["rules"] = _by_rules(mesh, rules)
+        figures |= {"elements": _counts(verdict.levels), "given": int(verdict.given.sum())}
+    if options.csv:
+        _write_table(mesh, verdict, options.csv, clock, with_verdict=rules is not None)
     if options.json:
-        figures = mesh_figures(mesh, judged["stretch"])
-        metrics = {key: metric_figures(mesh, by_key) for key, by_key in judged.items()}
-        say_json({**figures, "metrics": metrics, "seconds": clock.taken()})
+        say_json({**figures, "seconds": clock.taken()})
     elif options.csv != "-":
-        say(_summary(mesh, judged))
-    return False
+        say(quality_text(figures))
+    threshold = _THRESHOLDS.get(options.fail_on)
+    return DONE if threshold is None or verdict.levels.max() < threshold else VIOLATED
 
 
-def _summary(mesh: Mesh, judged: dict[str, Quality]) -> str:
-    """Table of all metrics: worst, mean, failing."""
-    figures = mesh_figures(mesh, judged["stretch"])
-    numbers = (f"{figures[name]} {name}" for name in ("quads", "triangles", "nodes", "inverted", "reversed"))
-    lines = [
-        ", ".join(numbers),
-        "",
-        f"{'metric':<22}{'acceptable':>14}{'worst':>12}{'at element':>12}{'mean':>12}{'failing':>9}",
-    ]
+def _by_metrics(mesh: Mesh) -> tuple[_Verdict, dict[str, Any]]:
+    """What the metrics say, one after the other, so that the values of one are held at a time.
+
+    What a metric of Table 1 does not accept is an error, what another one does not accept a warning; how large
+    elements should be is for rules to say.
+    """
+    broken, stuck = np.zeros((2, len(Level), len(mesh.topology.elements)), dtype=bool)
+    figures: dict[str, Any] = {}
     for row in METRICS:
-        by_row = metric_figures(mesh, judged[row.key])
-        title = f"{row.title} [{row.unit}]" if row.unit else row.title
-        band = f"{row.quads.acceptable[0]:g} to {row.quads.acceptable[1]:g}"
-        lines.append(
-            f"{title:<22}{band:>14}{by_row['worst']:>12.3f}{by_row['worst_element']:>12}"
-            f"{by_row['mean']:>12.3f}{by_row['failing']:>9}"
-        )
-    if figures["triangles"]:
-        by_shape = " and ".join(row.title.lower() for row in METRICS if row.triangles is None)
-        lines += ["", f"Triangles are judged by their own bands; under {by_shape} by their shape."]
-    return "\n".join(lines)
+        judged = quality(mesh, row)
+        is_given = given(mesh, judged)
+        figures[row.key] = metric_figures(mesh, judged, is_given)
+        level = Level.ERROR if row.group == TABLE_1 else Level.OK if row.unit == MILLIMETRES else Level.WARN
+        broken[level] |= judged.failing
+        stuck[level] |= is_given
+    levels = np.where(broken[Level.ERROR], Level.ERROR, np.where(broken[Level.WARN], Level.WARN, Level.OK))
+    at_level = np.where(broken[Level.ERROR], stuck[Level.ERROR], stuck[Level.WARN])
+    return _Verdict(small_ints(levels), at_level), {**mesh_figures(mesh, judged), "metrics": figures, "rules": None}
 
 
-def _rows(mesh: Mesh, judged: dict[str, Quality]) -> Iterator[str]:
-    """Lines of the CSV, a heading and one for each element; empty where a triangle has no such metric."""
-    lines = io.StringIO()
-    writer = csv.writer(lines, lineterminator="\n")
-    writer.writerow(["element", "type", "valid", *judged])
-    topology = mesh.topology
-    kinds = np.where(topology.is_triangle, "triangle", "quad").tolist()
-    valid = np.where(judged["stretch"].valid, "true", "false").tolist()
-    columns = [_column(mesh, by_key) for by_key in judged.values()]
-    for row in zip(topology.element_labels.tolist(), kinds, valid, *columns, strict=True):
-        writer.writerow(row)
-        if lines.tell() > 1 << 20:
-            yield lines.getvalue()
-            lines.seek(0)
-            lines.truncate()
-    yield lines.getvalue()
+def _by_rules(mesh: Mesh, rules: RuleSet) -> tuple[_Verdict, dict[str, Any]]:
+    """What a rule set says."""
+    found = assess(mesh, rules)
+    return _Verdict(found.levels, found.given), rules_figures(mesh, found)
 
 
-def _column(mesh: Mesh, by_key: Quality) -> list[str]:
-    undefined = mesh.topology.is_triangle & (by_key.metric.triangles is None)
-    return [
-        "" if empty else repr(value) for empty, value in zip(undefined.tolist(), by_key.values.tolist(), strict=True)
-    ]
+def _counts(levels: Bytes) -> dict[str, int]:
+    return {level.name.lower(): int(np.count_nonzero(levels == level)) for level in Level}
+
+
+def _write_table(mesh: Mesh, verdict: _Verdict, name: str, clock: Clock, *, with_verdict: bool) -> None:
+    """Write the CSV to a file or to standard output, a block of elements at a time."""
+    from hullquad.cli import element_table  # noqa: PLC0415  brings Numba
+
+    with ending_at_once(), clock.running("prepare"):
+        element_table.prepare()
+    table = element_table.ElementTable(mesh, verdict.given, verdict.levels if with_verdict else None)
+    if name == "-":
+        sys.stdout.writelines(block.decode() for block in table.lines())
+    else:
+        atomic.write(Path(name), table.lines())

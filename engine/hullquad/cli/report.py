@@ -41,16 +41,6 @@ def mesh_figures(mesh: Mesh, quality: Quality) -> dict[str, Any]:
     }
 
 
-def metric_figures(mesh: Mesh, quality: Quality) -> dict[str, Any]:
-    """How the elements stand by one metric."""
-    return {
-        "worst": quality.worst,
-        "worst_element": int(mesh.topology.element_labels[quality.worst_element]),
-        "mean": quality.mean,
-        "failing": quality.failing_count,
-    }
-
-
 def run_text(run: Outcome) -> str:
     """What happened in a run, for people."""
     figures, metric = run_figures(run), run.best.quality.metric
