@@ -214,10 +214,30 @@ class Plate:
         return np.array([shapely.LineString([line.a, line.b]) for line in self.lines], dtype=object)
 
     def place_of(self, error: HullquadError) -> Floats:
-        """(1, 3) point in space that an error tells of [mm]; (0, 3) when it tells of none, or the plate is curved."""
-        if not isinstance(self.surface, Plane) or not {"u", "v"} <= error.numbers.keys():
+        """Where on the plate an error is.
+
+        Returns
+        -------
+        (N, 3) float array
+            A point [mm] where the error quotes one, else the loop, edge, stiffener or seam that its place names, as a
+            polyline; none where it is of the whole plate, or the plate is curved.
+        """
+        if not isinstance(self.surface, Plane):
             return floats(np.empty((0, 3)))
-        return floats(self.surface.points(np.array([[error.numbers["u"], error.numbers["v"]]])))
+        is_point = {"u", "v"} <= error.numbers.keys()
+        quoted = [[error.numbers["u"], error.numbers["v"]]] if is_point else self._named(error.place)
+        return floats(self.surface.points(floats(quoted)))
+
+    def _named(self, place: str) -> Floats:
+        """(N, 2) polyline of the smallest part of the plate that a path of the document leads into."""
+        parts = {line.place: np.stack([line.a, line.b]) for line in self.lines}
+        for loop, outline in zip(self.loops, self.outlines, strict=True):
+            parts[loop.place] = np.concatenate([outline, outline[:1]])
+            for edge, curve in enumerate(loop.curves):
+                parts[loop.edge_place(edge)] = polyline(curve, self.chord_error)
+        while place and place not in parts:
+            place = place.rpartition("/")[0]
+        return parts.get(place, np.empty((0, 2)))
 
     @cached_property
     def clipped_lines(self) -> Floats:
