@@ -13,8 +13,9 @@ from hullquad_app.assets import FOLDER
 from hullquad_app.canvas.ruler import nice_length, written
 from hullquad_app.colours import INVERTED, LIGHT, ColourMap
 from hullquad_app.limits import limit_words
-from hullquad_app.panels.axis import Axis, labels, ticks
-from hullquad_app.panels.figures import counted, plain, shown
+from hullquad_app.panels.axis import Axis, ticks
+from hullquad_app.panels.bars import axis_labels
+from hullquad_app.panels.figures import counted, plain, valued
 from hullquad_app.scene import Scene
 
 MARGIN = 48
@@ -93,9 +94,8 @@ def _write_strip(pen: Pen, top: float, quality: Quality, chosen: ColourMap) -> N
         left = MARGIN + column * step
         pen.fill(left, top, left + step, bottom, _colour(quality, axis.value(left + step / 2), chosen))
     values = ticks(axis.low, axis.high, 7)
-    unit = quality.metric.unit
-    for value, text in zip(values, labels(values), strict=True):
-        pen.write(axis.at(value), bottom + 22, text + unit, _SMALL, LIGHT.dim, anchor="ms")
+    for value, text in zip(values, axis_labels(values, quality.metric), strict=True):
+        pen.write(axis.at(value), bottom + 22, text, _SMALL, LIGHT.dim, anchor="ms")
     for limit in quality.limits:
         at = axis.at(limit)
         pen.fill(at - 1, top - 6, at + 1, bottom + 5, LIGHT.text)
@@ -135,8 +135,8 @@ def _figures(quality: Quality) -> list[tuple[str, str, str]]:
     )
     worst = LIGHT.fail if quality.failing[quality.worst_element] else LIGHT.text
     rows = [
-        (_tr("worst"), shown(quality.worst, by) + by.unit, worst),
-        (_tr("mean"), shown(quality.mean, by) + by.unit, LIGHT.text),
+        (_tr("worst"), valued(quality.worst, by), worst),
+        (_tr("mean"), valued(quality.mean, by), LIGHT.text),
         (_tr("failing"), failing, alarm),
     ]
     inverted = (_tr("inverted"), counted(quality.inverted_count), INVERTED)

@@ -10,6 +10,7 @@ from hullquad_app.panels.meshing import MeshingPanel
 from hullquad_app.panels.objective import ObjectivePanel
 from hullquad_app.panels.plates import PlatesPanel
 from hullquad_app.panels.quality import QualityPanel
+from hullquad_app.panels.rules import RulesPanel
 from hullquad_app.panels.search import SearchPanel
 from hullquad_app.panels.worst import WorstPanel
 from hullquad_app.scene import Scene
@@ -17,6 +18,8 @@ from hullquad_app.session import Session
 
 _WIDTH = 66
 """Of the column of panels, in letters."""
+_HEIGHTS = {"quality": 36, "objective": 25, "worst": 39}
+"""Shares of the column."""
 
 
 class Docks(QObject):
@@ -27,6 +30,7 @@ class Docks(QObject):
         self._window = window
         self.quality, self.objective, self.worst = QualityPanel(), ObjectivePanel(), WorstPanel()
         self.meshing, self.search, self.plates = MeshingPanel(), SearchPanel(), PlatesPanel()
+        self.rules = RulesPanel()
         self._docks = {
             name: self._dock(name, title, panel)
             for name, title, panel in (
@@ -34,6 +38,7 @@ class Docks(QObject):
                 ("objective", self.tr("Objective history"), self.objective),
                 ("search", self.tr("Search settings"), self.search),
                 ("worst", self.tr("Worst elements"), self.worst),
+                ("rules", self.tr("Rules"), self.rules),
                 ("meshing", self.tr("Mesh"), self.meshing),
                 ("plates", self.tr("Plates"), self.plates),
             )
@@ -45,21 +50,30 @@ class Docks(QObject):
         column = Qt.DockWidgetArea.RightDockWidgetArea
         for name in ("quality", "objective", "worst"):
             self._window.addDockWidget(column, self._docks[name])
-        for name, neighbour in (("search", "objective"), ("meshing", "worst"), ("plates", "worst")):
+        for name, neighbour in (
+            ("search", "objective"),
+            ("rules", "worst"),
+            ("meshing", "worst"),
+            ("plates", "worst"),
+        ):
             self._window.tabifyDockWidget(self._docks[neighbour], self._docks[name])
         for name in ("objective", "worst"):
             self._docks[name].raise_()
 
     def set_width(self) -> None:
-        """Give the column of panels its width; Qt does it only for a window that is shown."""
+        """Give the column of panels its width and its parts their heights; Qt does so only when it is shown."""
         width = self._window.fontMetrics().averageCharWidth() * _WIDTH
         self._window.resizeDocks([self._docks["quality"]], [width], Qt.Orientation.Horizontal)
+        column = [self._docks[name] for name in _HEIGHTS]
+        self._window.resizeDocks(column, list(_HEIGHTS.values()), Qt.Orientation.Vertical)
 
     def show_scene(self, scene: Scene) -> None:
         """Show a scene on every panel, and bring up the one that is of use with it."""
         before, self._shown = self._shown, scene
-        for panel in (self.quality, self.objective, self.worst, self.meshing, self.search, self.plates):
+        for panel in (self.quality, self.objective, self.worst, self.rules, self.meshing, self.search, self.plates):
             panel.show_scene(scene)
+        if scene.view.rules is not before.view.rules:
+            self._docks["worst" if scene.view.rules is None else "rules"].raise_()
         if scene.state.keys != before.state.keys:
             self._docks["plates"].setVisible(len(scene.state.keys) > 1)
         if (scene.mesh is None) != (before.mesh is None) or scene.state.plates is not before.state.plates:
@@ -68,7 +82,7 @@ class Docks(QObject):
 
     def set_palette(self, palette: Palette, chosen: ColourMap) -> None:
         """Take the colours of a theme, and the map by which elements are coloured."""
-        for panel in (self.quality, self.objective, self.worst, self.plates):
+        for panel in (self.quality, self.objective, self.worst, self.rules, self.plates):
             panel.set_palette(palette, chosen)
         for form in (self.meshing, self.search):
             form.set_palette(palette)
@@ -78,8 +92,9 @@ class Docks(QObject):
         self.quality.limit_dragged.connect(session.judging.set_limit)
         self.quality.limit_released.connect(session.judging.set_limit)
         self.quality.limit_reset.connect(session.judging.reset_limit)
-        for panel in (self.quality, self.worst):
+        for panel in (self.quality, self.worst, self.rules):
             panel.selected.connect(lambda rows, extend: session.select(rows, extend=extend))
+        self.rules.zoom_wanted.connect(canvas.zoom_to)
         self.worst.selected.connect(lambda rows, _: canvas.reveal(rows))
         self.worst.zoom_wanted.connect(lambda row: canvas.zoom_to({row}))
         self.objective.position_chosen.connect(session.scrub)

@@ -47,13 +47,22 @@ class _Rows(QStyledItemDelegate):
 
 
 class GroupedBox(QComboBox):
-    """Tells by `chosen` what is wanted; `show_choice` tells it what is in force."""
+    """Tells by `chosen` what is wanted; `show_choice` tells it what is in force.
+
+    Parameters
+    ----------
+    letters
+        Width of the box; 0: as wide as its longest row.
+    """
 
     chosen = Signal(object)
     """Emitted with the data of the row that the user chose."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, letters: int = 0, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        if letters:
+            self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+            self.setMinimumContentsLength(letters)
         self.setItemDelegate(_Rows(self))
         self.setMaxVisibleItems(_MOST_VISIBLE)
         self.activated.connect(lambda row: self.chosen.emit(self.itemData(row)))

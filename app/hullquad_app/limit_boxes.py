@@ -11,8 +11,8 @@ from hullquad_app.limits import decimals, limit_words, step
 from hullquad_app.metric_words import name_of
 from hullquad_app.theme import icon
 
-_LETTERS = 11
-"""Width of a box."""
+_LONGEST = "≤ 50.0 mm"
+"""Of the texts that the boxes are wide enough for."""
 _LARGEST = 1e6
 
 
@@ -81,8 +81,10 @@ class LimitBoxes(QWidget):
         row = QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.setSpacing(self.fontMetrics().averageCharWidth() // 2)
+        letters = self.fontMetrics()
+        width = letters.horizontalAdvance(_LONGEST) + round(1.7 * letters.height())
         for widget in (*self.boxes, self._room):
-            widget.setFixedWidth(_LETTERS * self.fontMetrics().averageCharWidth())
+            widget.setFixedWidth(width)
         for widget in (*self.boxes, self.reset, self._room):
             row.addWidget(widget)
 

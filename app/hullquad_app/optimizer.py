@@ -7,6 +7,8 @@ from hullquad.optimization.iterate import Iterate
 from hullquad.optimization.settings import PaperSettings
 from hullquad.optimization.stops import Stop
 from hullquad_app.document import Document
+from hullquad_app.metric_words import name_of
+from hullquad_app.panels.figures import unit_of
 from hullquad_app.recording import Recording
 from hullquad_app.run import Run
 
@@ -109,11 +111,10 @@ class Optimizer(QObject):
 
     def _label(self, recording: Recording, stop: Stop | None) -> str:
         before, after = recording.objectives(stop)
-        title, unit = recording.metric.title, recording.metric.unit
+        unit = unit_of(recording.metric)
         text = (
             self.tr("Step {metric}: {before} → {after}")
             if recording.is_step
             else self.tr("Optimize {metric}: {before} → {after}")
         )
-        name = title[0].lower() + title[1:]
-        return text.format(metric=name, before=f"{before:.2f}{unit}", after=f"{after:.2f}{unit}")
+        return text.format(metric=name_of(recording.metric), before=f"{before:.2f}{unit}", after=f"{after:.2f}{unit}")

@@ -11,6 +11,7 @@ from hullquad_app.panels.figures import signed
 if TYPE_CHECKING:
     from hullquad.rules import Rule, RuleSet
 
+_VALID = "valid"
 _WIDTH = 72
 """Letters in a line of a tooltip."""
 
@@ -24,6 +25,8 @@ def about(rules: "RuleSet") -> str:
 
 def limit_of(rule: "Rule", unit: str) -> str:
     """What a rule accepts: ``≤ 3``, ``45° – 135°``, or both limits where warnings begin before errors."""
+    if rule.measure == _VALID:
+        return ""  # it is so, or it is not
     both = [band for band in (rule.warn, rule.error) if band is not None]
     texts = [_accepted(band, unit) for band in both]
     if len(texts) == 2 and texts[0] != texts[1]:

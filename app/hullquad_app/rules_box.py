@@ -12,8 +12,8 @@ METRIC, OTHER = "", "…"
 """Data of the rows that are no rule sets."""
 _SOLVERS = ("msc_nastran", "autodesk_nastran", "optistruct", "ansys", "abaqus")
 _PAPER = "table_1"
-_LETTERS = 13
-"""Least width of the box; the whole name is in its tooltip."""
+_LETTERS = 11
+"""Width of the box; the whole name is in its tooltip."""
 
 
 class RulesBox(GroupedBox):
@@ -25,11 +25,9 @@ class RulesBox(GroupedBox):
     """Another file is to be read."""
 
     def __init__(self) -> None:
-        super().__init__()
+        super().__init__(_LETTERS)
         self._key, self._files = METRIC, list[Path]()
         self._is_complete = False
-        self.setSizeAdjustPolicy(GroupedBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        self.setMinimumContentsLength(_LETTERS)
         self.fill([self._by_metric()])
         self.chosen.connect(self._choose)
 

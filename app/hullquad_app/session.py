@@ -16,6 +16,7 @@ from hullquad_app.abilities import Abilities, abilities
 from hullquad_app.bookmarks import Bookmarks
 from hullquad_app.document import Document
 from hullquad_app.judging import Judging
+from hullquad_app.objectives import optimised_by
 from hullquad_app.optimizer import Optimizer
 from hullquad_app.scene import Scene
 from hullquad_app.settings import Settings
@@ -204,8 +205,8 @@ class Session(QObject):
 
     def _optimize(self, steps: int | None) -> None:
         if self.abilities.can_run:
-            key = self.settings.objective or self.document.scene.view.metric.key
-            self.optimizer.start(metric(key), self.settings.paper, steps)
+            by = optimised_by(self.document.scene.view.metric, self.settings.objective)
+            self.optimizer.start(by, self.settings.paper, steps)
 
     def _files(self, path: Path) -> dict[Path, Mesh]:
         """Shown mesh of every plate that has one, by the file it goes to."""

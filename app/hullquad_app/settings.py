@@ -10,13 +10,14 @@ from typing import Any, TypeVar
 import attrs
 from PySide6.QtCore import QByteArray, QSettings
 
-from hullquad.metrics import METRICS, Band, Metric, metric
+from hullquad.metrics import METRICS, OBJECTIVES, Band, Metric, metric
 from hullquad.optimization.settings import PaperSettings
 
 MOST_RECENT = 10
 THEMES = ("system", "light", "dark")
 
 _KEYS = frozenset(row.key for row in METRICS)
+_OBJECTIVES = frozenset(row.key for row in OBJECTIVES)
 _LEAST = {"step": 0.0, "iterations": 1, "tolerance": 0.0, "window": 1}
 
 Kept = TypeVar("Kept")
@@ -107,7 +108,7 @@ class Settings:
     @property
     def objective(self) -> str | None:
         """Key of the metric to optimise by; None for the one that is shown."""
-        return self._read("objective", lambda value: value if value in _KEYS else None, None)
+        return self._read("objective", lambda value: value if value in _OBJECTIVES else None, None)
 
     @objective.setter
     def objective(self, key: str | None) -> None:

@@ -1,5 +1,6 @@
 """The status bar: how large the mesh is, what goes on, and the objective."""
 
+import numpy as np
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QLabel, QStatusBar
@@ -8,7 +9,9 @@ from hullquad.mesh import Mesh
 from hullquad.metrics import Metric
 from hullquad.optimization.iterate import Iterate
 from hullquad_app.colours import COLOUR_MAPS, LIGHT, ColourMap, Palette
-from hullquad_app.panels.figures import counted, shown, sized, summed
+from hullquad_app.metric_words import name_of
+from hullquad_app.objectives import optimised_by
+from hullquad_app.panels.figures import counted, sized, summed, valued
 from hullquad_app.panels.ground import coloured
 from hullquad_app.scene import Scene
 
@@ -109,11 +112,11 @@ class StatusBar(QStatusBar):
         scene = self._scene
         if scene.mesh is None or scene.iterate is None:
             return ""
-        by, run = scene.view.metric, scene.iterate.quality.metric
-        text = f"Σ {by.title.lower()} {summed(self._sums[scene.mesh][1], by)}"
+        by, run = optimised_by(scene.view.metric), scene.iterate.quality.metric
+        text = f"Σ {name_of(by)} {summed(self._sums[scene.mesh][1], by)}"
         if run is not by and scene.iterate.number:
             other = self.tr("optimised by {metric}: {sum}")
-            text += " · " + other.format(metric=run.title.lower(), sum=summed(scene.iterate.objective, run))
+            text += " · " + other.format(metric=name_of(run), sum=summed(scene.iterate.objective, run))
         return text + self.tr(" · lengths in mm")
 
     def _warning_words(self) -> str:
@@ -123,9 +126,9 @@ class StatusBar(QStatusBar):
         if scene.track is None or scene.mesh is None or first is None or now is None or not len(now.values):
             return ""
         by = now.metric
-        sense = 1 if by.higher_is_better else -1
-        gain = sense * (self._sums[scene.mesh][1] - self._sums[scene.track.first.mesh][1])
-        before, after = shown(first.worst, by) + by.unit, shown(now.worst, by) + by.unit
+        sums = (self._sums[scene.track.first.mesh][1], self._sums[scene.mesh][1])
+        gain = 0 if by.is_two_sided else float(np.subtract(*by.badness(np.array(sums))))
+        before, after = valued(first.worst, by), valued(now.worst, by)
         if gain <= 0 or not by.is_worse(now.worst, first.worst) or before == after:
             return ""
         higher = self.tr("worst fell {before} → {after} while the sum rose")
@@ -134,7 +137,7 @@ class StatusBar(QStatusBar):
 
     def _summed(self, *iterates: Iterate | None) -> dict[Mesh, tuple[Metric, float]]:
         """Sums of the chosen metric by mesh; one that is known is not computed again."""
-        by = self._scene.view.metric
+        by = optimised_by(self._scene.view.metric)
         sums: dict[Mesh, tuple[Metric, float]] = {}
         for iterate in filter(None, iterates):
             known = self._sums.get(iterate.mesh)

@@ -12,6 +12,9 @@ from hullquad_app.plate_box import PlateBox
 from hullquad_app.rules_box import RulesBox
 from hullquad_app.scene import Scene
 
+_LETTERS = 11
+"""Width of the box of metrics; the whole title is in its tooltip."""
+
 
 class Choices(QWidget):
     """Boxes that show what a scene is looked at by, and tell what the user wants instead."""
@@ -30,7 +33,7 @@ class Choices(QWidget):
         super().__init__()
         self._shown: Scene | None = None
         self.plates, self.rules = PlateBox(), RulesBox()
-        self.metrics, self.limits = GroupedBox(), LimitBoxes()
+        self.metrics, self.limits = GroupedBox(_LETTERS), LimitBoxes()
         self.metrics.fill(metric_choices(METRICS))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
         self._lay_out()

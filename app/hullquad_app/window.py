@@ -2,7 +2,7 @@
 
 from pathlib import Path
 
-from PySide6.QtCore import QObject, QSize, Qt, QTimer
+from PySide6.QtCore import QObject, Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QMainWindow, QStackedWidget, QToolBar, QVBoxLayout, QWidget
 
@@ -25,13 +25,13 @@ from hullquad_app.session import Session
 from hullquad_app.status import StatusBar
 from hullquad_app.theme_menu import ThemeMenu
 from hullquad_app.toolbar import Choices
+from hullquad_app.tools import Tools
 from hullquad_app.turns import Turns
 from hullquad_app.welcome import Welcome
 
 _LAYOUT_VERSION = 1
 _LETTERS = (205, 52)
 """Width and height of the window when it opens for the first time, in letters."""
-_ICON = QSize(20, 20)
 
 
 class MainWindow(QMainWindow):
@@ -173,7 +173,7 @@ class MainWindow(QMainWindow):
         column.addWidget(self._middle, stretch=1)
         self.setCentralWidget(centre)
         self.addToolBar(self._tools())
-        self.addToolBar(Qt.ToolBarArea.BottomToolBarArea, _fixed_bar("history", self.tr("History"), self.history))
+        self.addToolBar(Qt.ToolBarArea.BottomToolBarArea, _fixed("history", self._history_bar()))
         self.setStatusBar(self.status)
         self.docks.arrange()
         menus = self.actions_by_name.fill(self.menuBar())
@@ -186,18 +186,18 @@ class MainWindow(QMainWindow):
         menus[VIEW].addActions(self.docks.toggles())
 
     def _tools(self) -> QToolBar:
-        bar = _fixed_bar("tools", self.tr("Tools"))
-        bar.setIconSize(_ICON)
-        bar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-        groups = (("choose_file", "mesh_plate"), (self.choices,), ("step", "run", "pause", "reset"))
-        for group in groups:
-            for tool in group:
-                if isinstance(tool, str):
-                    bar.addAction(self.actions_by_name[tool])
-                else:
-                    bar.addWidget(tool)
-            bar.addSeparator()
-        bar.addAction(self.actions_by_name["choose_picture"])
+        made = self.actions_by_name
+        groups = (
+            (made["choose_file"], made["mesh_plate"]),
+            (self.choices,),
+            (made["step"], made["run"], made["pause"], made["reset"]),
+            (made["choose_picture"],),
+        )
+        return _fixed("tools", Tools(self.tr("Tools"), groups))
+
+    def _history_bar(self) -> QToolBar:
+        bar = QToolBar(self.tr("History"))
+        bar.addWidget(self.history)
         return bar
 
     def _connect(self) -> None:
@@ -237,13 +237,10 @@ class MainWindow(QMainWindow):
         self.restoreState(self.session.settings.layout, _LAYOUT_VERSION)
 
 
-def _fixed_bar(name: str, title: str, content: QWidget | None = None) -> QToolBar:
-    bar = QToolBar(title)
+def _fixed(name: str, bar: QToolBar) -> QToolBar:
     bar.setObjectName(name)
     bar.setMovable(False)
     bar.toggleViewAction().setVisible(False)
-    if content is not None:
-        bar.addWidget(content)
     return bar
 
 

@@ -12,6 +12,7 @@ from hullquad.mesh import Mesh
 from hullquad.plate import Notice
 from hullquad_app.document import Document
 from hullquad_app.jobs import Jobs
+from hullquad_app.objectives import optimised_by
 from hullquad_app.scene import State
 from hullquad_app.work import Division, Meshed, Progress, Size
 
@@ -57,7 +58,7 @@ class Workshop(QObject):
 
     def open(self, path: Path) -> None:
         """Read a document or a mesh, and show it."""
-        self.jobs.open(path, self._document.scene.view.metric)
+        self.jobs.open(path, optimised_by(self._document.scene.view.metric))
 
     def division(self, size: Size) -> Division | None:
         """Contours of the document, divided for a size, if they are known."""
@@ -75,7 +76,9 @@ class Workshop(QObject):
     def mesh(self, keys: Sequence[str], size: Size) -> None:
         """Mesh plates of the document."""
         scene, known = self._document.scene, self.division(size)
-        self.jobs.mesh(scene.state, keys, size, scene.view.metric, None if known is None else known.contours)
+        self.jobs.mesh(
+            scene.state, keys, size, optimised_by(scene.view.metric), None if known is None else known.contours
+        )
 
     def save(self, files: Mapping[Path, Mesh]) -> None:
         """Write meshes; the document is then no longer modified."""

@@ -14,6 +14,7 @@ from hullquad_app.panels.axis import Axis, labels, ticks, top
 from hullquad_app.panels.figures import counted, plain, shown
 from hullquad_app.panels.quality import QualityPanel
 from hullquad_app.scene import Scene, View
+from hullquad_app.verdict import Verdict
 
 LEFT = Qt.MouseButton.LeftButton
 CORNERS = attrs.evolve(metric("min_angle"), sense=Sense.NEARER, quads=Scale(0, 180, 90, (45, 135)))
@@ -79,6 +80,14 @@ def test_key_figures_tell_worst_mean_and_failing(panel):
     figures = panel.figures
     assert [figures.worst.number.text(), figures.mean.number.text()] == ["0.100", "0.500"]
     assert figures.failing.number.text() + figures.failing.rest.text() == "1 of 3"
+
+
+@pytest.mark.parametrize(("count", "caption"), [(0, "failing"), (1, "failing, 1 given")])
+def test_key_figures_tell_what_the_contour_gives(panel, dented, count, caption):
+    now = scene(judged([0.1, 0.2]))
+    found = Verdict(mesh=dented, quality=now.quality, given=np.array([count > 0, False]))
+    panel.show_scene(attrs.evolve(now, verdict=found))
+    assert panel.figures.failing.caption.text() == caption
 
 
 def test_figures_that_fail_are_in_the_colour_of_failing(panel):

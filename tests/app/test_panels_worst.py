@@ -8,11 +8,15 @@ from PySide6.QtGui import QColor, QImage
 
 from hullquad.metrics import metric
 from hullquad.quality import quality
+from hullquad.rules import rule_set
 from hullquad_app.colours import DARK, INVERTED, LIGHT
+from hullquad_app.level_colours import LEVELS
 from hullquad_app.panels.elements import COLUMNS
+from hullquad_app.panels.table import HATCHED
 from hullquad_app.panels.worst import WorstPanel
 from hullquad_app.scene import Scene, View
 from hullquad_app.track import Track
+from hullquad_app.verdict import verdict
 
 DISPLAY = Qt.ItemDataRole.DisplayRole
 
@@ -81,7 +85,7 @@ def test_triangles_are_listed_with_the_quads(panel, iterate):
 def test_a_triangle_says_what_it_is_judged_by(panel, iterate):
     panel.show_scene(scene(iterate))
     row = texts(panel, "kind").index("triangle")
-    assert cell(panel, row, "value", Qt.ItemDataRole.ToolTipRole) == "judged by shape"
+    assert cell(panel, row, "value", Qt.ItemDataRole.ToolTipRole) == "triangles are judged by shape"
     assert cell(panel, texts(panel, "kind").index("quad"), "value", Qt.ItemDataRole.ToolTipRole) is None
 
 
@@ -215,3 +219,29 @@ def test_it_is_drawn_in_both_themes(panel, folded, palette):
     panel.render(picture)
     assert picture.pixelColor(2, picture.height() - 3) == QColor(palette.panel)
     assert panel.table.accessibleName()
+
+
+def test_what_the_contour_gives_says_so(panel, iterate):
+    now = scene(iterate, key="longest_edge")
+    given = np.zeros(10, dtype=bool)
+    given[now.quality.worst_element] = True
+    found = attrs.evolve(verdict(iterate.mesh, now.quality, None, None), given=given)
+    panel.show_scene(attrs.evolve(now, verdict=found))
+    assert texts(panel, "state")[:2] == ["FAIL, given", "FAIL"]
+    assert [bool(cell(panel, row, "swatch", HATCHED)) for row in (0, 1)] == [True, False]
+    assert "contour" in cell(panel, 0, "state", Qt.ItemDataRole.ToolTipRole)
+
+
+def test_the_swatch_has_the_colour_of_the_view(panel, iterate):
+    now, rules = scene(iterate), rule_set("bv")
+    panel.show_scene(attrs.evolve(now, verdict=verdict(iterate.mesh, now.quality, rules, None)))
+    worst = now.quality.worst_first[0]
+    level = verdict(iterate.mesh, now.quality, rules, None).assessment.levels[worst]
+    assert cell(panel, 0, "swatch", Qt.ItemDataRole.DecorationRole) == QColor(LEVELS[level])
+
+
+def test_a_triangle_by_shape_has_the_decimals_of_shape(panel, iterate):
+    now = scene(iterate, key="taper")
+    panel.show_scene(now)
+    row = texts(panel, "kind").index("triangle")
+    assert cell(panel, row, "value") == f"{now.quality.values[panel.model.element(row)]:.3f}"

@@ -1,13 +1,15 @@
 """By what elements are judged is chosen from a list of rule sets, and told in words."""
 
+from math import inf
 from pathlib import Path
 
+import attrs
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from hullquad.metrics import metric
-from hullquad.rules import MEASURES, rule_set, rule_sets
+from hullquad.rules import MEASURES, NO_INVERTED, rule_set, rule_sets
 from hullquad_app.judging import named_rules
 from hullquad_app.rule_words import about, limit_of, source_of
 from hullquad_app.rules_box import OTHER, RulesBox
@@ -74,5 +76,7 @@ def test_every_rule_is_told_in_words(rules):
 
 
 def test_limits_have_their_unit():
-    rule = next(rule for rule in rule_set("csr_fine").rules if rule.measure == "corner_angle")
+    rule = attrs.evolve(NO_INVERTED, measure="corner_angle", warn=(45.0, 135.0), error=None)
     assert limit_of(rule, metric("corner_angle").unit) == "45° – 135°"
+    assert limit_of(attrs.evolve(rule, warn=(-inf, 20.0), error=(-inf, 1e6)), "") == "≤ 20, fails unless ≤ 1e+06"
+    assert limit_of(NO_INVERTED, "") == ""

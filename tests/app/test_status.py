@@ -111,3 +111,10 @@ def test_a_narrow_window_shows_what_there_is_room_for(bar, walked):
     bar.show_scene(scene(walked, 5))
     assert not bar.grab().isNull()
     assert np.isfinite(bar.course.width())
+
+
+def test_a_metric_without_a_sum_tells_that_of_its_objective(bar, walked):
+    bar.show_scene(scene(walked, key="corner_angle"))
+    shape = objective_sum(walked.last.mesh, metric("shape"))
+    assert bar.objective.text().startswith(f"Σ shape {shape:.3f}")
+    assert bar.warning.text() == ""

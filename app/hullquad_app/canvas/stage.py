@@ -8,19 +8,21 @@ from hullquad.arrays import Bools, Floats, Ints, floats
 from hullquad.mesh import Mesh
 from hullquad.plate import Document as PlateDocument
 from hullquad.plate import Plate
-from hullquad.quality import Quality
 from hullquad.sight import from_notch
 from hullquad.surface import Plane
 from hullquad.topology import Topology, edges, half_edges
 from hullquad.triangulation.contour import Contour, attempts
 from hullquad_app.canvas.layer import Layer
-from hullquad_app.colours import BROKEN, INVERTED, ColourMap, Palette, element_colours, rgb
+from hullquad_app.canvas.painting import Painting, painting
+from hullquad_app.canvas.strokes import dashes, hatching
+from hullquad_app.colours import BROKEN, INVERTED, ColourMap, Palette, rgb
 from hullquad_app.scene import Scene
 
 LAYERS = {
     "elements": (0, 1.0),
     "inverted": (1, 1.0),
     "edges": (2, 1.0),
+    "hatching": (2, 1.4),
     "lines": (3, 1.5),
     "contour": (4, 2.5),
     "outline": (4, 2.5),
@@ -34,15 +36,10 @@ LAYERS = {
 }
 """Rank and width of each [pixels]; contour and those above it hide what is below."""
 _OF_NODES = ("inverted", "edges", "contour", "failing", "worst", "halo", "selection")
-_DARKEST = -0.7
-"""Grade below which an element is as dark as the outline of failing ones."""
 _LEAST_OUTLINED = 8.0
 """Length of the edges of elements that are outlined when they fail [px]."""
 _LEAST_EDGE = 4.0
 """Length from which edges of elements are drawn [pixels]."""
-_DASH, _GAP = 9.0, 5.0
-"""Of stiffeners and seams [pixels]."""
-_MOST_DASHES = 20_000
 _NO_LINES = floats(np.empty((0, 2, 3)))
 
 
@@ -60,6 +57,7 @@ class Stage:
         self.loops: list[Floats] = []
         """Outline and holes of a plate that is not meshed, each (N, 3)."""
         self._pixel = 1.0
+        self._painting: Painting | None = None
         self._lines = _NO_LINES
         self._filled: Ints = np.empty((0, 4), dtype=np.int32)
         self._attempts: tuple[PlateDocument | None, dict[str, Any]] = (None, {})
@@ -77,8 +75,8 @@ class Stage:
             self._show_mesh(scene.mesh, before.mesh)
         if scene.mesh is None and (before.mesh is not None or scene.plate is not before.plate):
             self._show_plate(scene.plate, scene.state.plates)
-        if scene.quality is not before.quality:
-            self._show_quality(scene.mesh, scene.quality)
+        if scene.quality is not before.quality or scene.verdict is not before.verdict:
+            self._paint()
         if scene.view.selection != before.view.selection or scene.mesh is not before.mesh:
             self._show_selection(scene.mesh, scene.view.selection)
 
@@ -104,7 +102,7 @@ class Stage:
     def set_colour_map(self, chosen: ColourMap) -> None:
         """Colour elements by another map."""
         self.chosen_map = chosen
-        self._show_quality(self.scene.mesh, self.scene.quality)
+        self._paint()
 
     def look(self, towards: Floats, pixel: float, ratio: float) -> None:
         """Fit the layers to the camera: direction to the viewer, length of a pixel [mm], device pixels per pixel."""
@@ -113,6 +111,7 @@ class Stage:
             self._show_lines(self._lines)
             self.show_edges(self.edges_wanted)
             self._thin_outlines()
+            self._hatch()
         for layer in self.layers.values():
             layer.lift(towards, pixel)
             layer.scale(ratio)
@@ -144,11 +143,11 @@ class Stage:
     def _show_lines(self, lines: Floats) -> None:
         """Stiffeners and seams, dashed at the scale of the picture."""
         self._lines = lines
-        self.layers["lines"].set_segments(_dashes(lines, self._pixel))
+        self.layers["lines"].set_segments(dashes(lines, self._pixel))
 
     def _show_mesh(self, mesh: Mesh | None, before: Mesh | None) -> None:
         if mesh is None:
-            for name in ("elements", *_OF_NODES):
+            for name in ("elements", "hatching", *_OF_NODES):
                 self.layers[name].clear()
             self._show_lines(_NO_LINES)
             return
@@ -173,20 +172,33 @@ class Stage:
         self.show_edges(self.edges_wanted)
         self._thin_outlines()
 
-    def _show_quality(self, mesh: Mesh | None, quality: Quality | None) -> None:
-        if mesh is None or quality is None:
+    def _paint(self) -> None:
+        """Colour, outline and hatch the elements."""
+        mesh, painted = self.scene.mesh, painting(self.scene, self.chosen_map)
+        self._painting = painted
+        if mesh is None or painted is None:
             return
         elements = mesh.topology.elements
-        self.layers["elements"].paint_cells(element_colours(quality, self.chosen_map))
-        self._show_inverted(mesh, quality)
-        outlined = quality.failing & quality.valid  # inverted ones have a colour of their own
-        is_darkest = outlined & (quality.grades < _DARKEST)
-        self.layers["failing"].set_lines(_sides(elements, outlined & ~is_darkest))
-        self.layers["worst"].set_lines(_sides(elements, is_darkest))
+        self.layers["elements"].paint_cells(painted.colours)
+        self._show_inverted(mesh, painted.inverted)
+        self.layers["failing"].set_lines(_sides(elements, painted.outlined & ~painted.dark))
+        self.layers["worst"].set_lines(_sides(elements, painted.outlined & painted.dark))
+        self._hatch()
 
-    def _show_inverted(self, mesh: Mesh, quality: Quality) -> None:
+    def _hatch(self) -> None:
+        """Hatch what the contour gives, light on dark elements."""
+        mesh, painted = self.scene.mesh, self._painting
+        rows = np.empty(0, dtype=np.int64) if mesh is None or painted is None else np.flatnonzero(painted.hatched)
+        if mesh is None or painted is None or not len(rows):
+            self.layers["hatching"].clear()
+            return
+        lines, owners = hatching(mesh.points, mesh.topology.elements[rows], self._pixel)
+        self.layers["hatching"].set_segments(lines)
+        self.layers["hatching"].paint_cells(painted.hatch_colours(rows[owners]))
+
+    def _show_inverted(self, mesh: Mesh, is_inverted: Bools) -> None:
         """On top, and without spilling out of concave ones, where VTK would fill the notch."""
-        elements, is_inverted = mesh.topology.elements, ~quality.valid
+        elements = mesh.topology.elements
         turned = from_notch(mesh.points, elements[is_inverted])
         self.layers["inverted"].set_faces(turned)
         filled = elements.copy()
@@ -230,16 +242,3 @@ class Stage:
 def _sides(elements: Ints, chosen: Bools) -> Ints:
     """(H, 2) nodes of the edges of the chosen elements."""
     return half_edges(elements[chosen])[0]
-
-
-def _dashes(lines: Floats, pixel: float) -> Floats:
-    """(D, 2, 3) dashes of lines (L, 2, 3), from end to end; the lines themselves where there would be too many."""
-    lengths = np.linalg.norm(lines[:, 1] - lines[:, 0], axis=1) / pixel
-    counts = np.maximum(1, np.rint((lengths + _GAP) / (_DASH + _GAP))).astype(int)
-    if counts.sum() > _MOST_DASHES:
-        return lines
-    first = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
-    line, period = np.repeat(np.arange(len(lines)), counts), np.repeat((lengths + _GAP) / counts, counts)
-    along = np.stack([first * period, (first + 1) * period - _GAP], axis=1) / lengths[line, None]
-    starts, ends = lines[line, :1], lines[line, 1:]
-    return floats(starts + along[:, :, None] * (ends - starts))

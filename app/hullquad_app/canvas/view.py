@@ -264,7 +264,7 @@ class Canvas(QWidget):
         if row < 0 or mesh is None or quality is None or self._cursor is None:
             self.overlay.hover("", QPointF(), None)
         else:
-            self.overlay.hover(tip(mesh.topology, quality, row), self._cursor, corners(mesh, row))
+            self.overlay.hover(tip(mesh.topology, quality, row, self._scene.given), self._cursor, corners(mesh, row))
         if row != self._row:
             self._row = row
             self.hovered.emit(row)

@@ -8,9 +8,10 @@ from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
 from hullquad.arrays import Floats
 from hullquad.metrics import Metric
 from hullquad_app.colours import Palette
+from hullquad_app.metric_words import name_of
 from hullquad_app.panels.axis import Axis, labels, padded, ticks
 from hullquad_app.panels.course import Course, thinned
-from hullquad_app.panels.figures import shown, summed
+from hullquad_app.panels.figures import summed, valued
 
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
@@ -57,7 +58,7 @@ def bands(course: Course, position: int, area: QRectF, line: float, palette: Pal
     x = Axis(course.numbers[0], course.numbers[-1], area.left(), area.right())
     rows = (
         (sum_title, summed(objective, by), course.objectives, upper, palette.accent, 2.0),
-        (worst_title, shown(worst, by) + by.unit, course.worsts, lower, palette.dim, 1.5),
+        (worst_title, valued(worst, by), course.worsts, lower, palette.dim, 1.5),
     )
     alike = course.alike(by)
     first, second = (
@@ -71,7 +72,7 @@ def bands(course: Course, position: int, area: QRectF, line: float, palette: Pal
 def _titles(by: Metric) -> tuple[str, str]:
     """Titles with an arrow to where it is better."""
     better = "↑" if by.higher_is_better else "↓"
-    return f"Σ {by.title.lower()} {better}", QCoreApplication.translate("History", "worst") + f" {better}"
+    return f"Σ {name_of(by)} {better}", QCoreApplication.translate("History", "worst") + f" {better}"
 
 
 def _y_axis(values: Floats, area: QRectF, line: float) -> Axis:

@@ -13,7 +13,7 @@ from hullquad.metrics import DEGREES, Band, Metric
 from hullquad.quality import Quality
 from hullquad_app.colours import ColourMap, Palette
 from hullquad_app.panels.axis import Axis, labels, ticks, top
-from hullquad_app.panels.figures import counted
+from hullquad_app.panels.figures import counted, unit_of
 
 _ALMOST = -1e-9
 _STRIPE = 2
@@ -32,6 +32,8 @@ class Bars:
     """Of iteration 0, where that is another mesh."""
     selected: frozenset[int]
     """Bins with selected elements."""
+    given_count: int
+    """Elements that fail because of the contour."""
     x: Axis
     y: Axis
     strip: QRectF
@@ -67,22 +69,24 @@ def bars(
     now: Histogram,
     first: Histogram | None,
     selected: frozenset[int],
+    given_count: int = 0,
 ) -> Bars:
     """Arrange a histogram in an area."""
     line = letters.height()
     most = top(int(max(now.totals.max(), 0 if first is None else first.totals.max())))
     left = area.left() + letters.horizontalAdvance(counted(most)) + 0.5 * line
     right = area.right() - 0.7 * line
-    ground = round(area.bottom() - 3.6 * line)
+    ground = round(area.bottom() - 4.7 * line)
     return Bars(
         quality=quality,
         now=now,
         first=first,
         selected=selected,
+        given_count=given_count,
         x=Axis(float(now.edges[0]), float(now.edges[-1]), round(left), round(right)),
         y=Axis(0, most, ground, round(area.top() + 1.4 * line)),
         strip=QRectF(round(left), ground + round(0.25 * line), round(right) - round(left), round(0.5 * line)),
-        legend=QRectF(left, area.bottom() - 1.3 * line, area.right() - left, 1.3 * line),
+        legend=QRectF(left, area.bottom() - 2.5 * line, area.right() - left, 2.4 * line),
     )
 
 
@@ -156,14 +160,17 @@ def first_pen(palette: Palette) -> QPen:
 def _draw_strip(painter: QPainter, plot: Bars, palette: Palette, chosen: ColourMap) -> None:
     ends = (round(plot.strip.left()), round(plot.strip.right()))
     colours = _strip_colours(plot.quality.metric, plot.quality.band, plot.x, ends, chosen)
-    for left, colour in zip(range(*ends, _STRIPE), colours, strict=True):
-        width = min(_STRIPE, plot.strip.right() - left)
-        painter.fillRect(QRectF(left, plot.strip.top(), width, plot.strip.height()), QColor(colour))
+    for start, colour in zip(range(*ends, _STRIPE), colours, strict=True):
+        stripe = min(_STRIPE, plot.strip.right() - start)
+        painter.fillRect(QRectF(start, plot.strip.top(), stripe, plot.strip.height()), QColor(colour))
     line = plot.strip.height() * 2
     painter.setPen(QColor(palette.dim))
     values = _values(plot.x, plot.quality.metric.unit)
+    rim = plot.x.end + 0.7 * line
     for value, text in zip(values, _value_labels(plot, values), strict=True):
-        painter.drawText(QRectF(plot.x.at(value) - 60, plot.strip.bottom() + 0.15 * line, 120, line), _CENTRE, text)
+        width = painter.fontMetrics().horizontalAdvance(text) + 1
+        left = min(plot.x.at(value) - width / 2, rim - width)
+        painter.drawText(QRectF(left, plot.strip.bottom() + 0.15 * line, width, line), _CENTRE, text)
 
 
 @lru_cache(maxsize=8)
@@ -184,8 +191,16 @@ def _values(x: Axis, unit: str) -> list[float]:
     return [float(angle) for angle in range(0, 361, 30) if x.low <= angle <= x.high]
 
 
+def axis_labels(values: list[float], by: Metric) -> list[str]:
+    """Values with their unit; of one in letters only the last."""
+    texts = labels(values)
+    if by.unit.isalpha():
+        return [*texts[:-1], texts[-1] + unit_of(by)]
+    return [text + by.unit for text in texts]
+
+
 def _value_labels(plot: Bars, values: list[float]) -> list[str]:
-    texts = [text + plot.quality.metric.unit for text in labels(values)]
+    texts = axis_labels(values, plot.quality.metric)
     if plot.now.is_open_above and values[-1] >= plot.x.high:
         texts[-1] = ">" + texts[-1]
     return texts

@@ -7,12 +7,18 @@ import attrs
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt
 from PySide6.QtGui import QColor, QFont
 
+from hullquad.arrays import Bools, Bytes
 from hullquad.mesh import Mesh
-from hullquad.metrics import metric
+from hullquad.metrics import Metric, metric
 from hullquad.quality import Quality
 from hullquad.ranking import Ranking, ranking
 from hullquad_app.colours import COLOUR_MAPS, INVERTED, LIGHT, ColourMap, Palette
+from hullquad_app.level_colours import LEVELS
+from hullquad_app.metric_words import name_of
 from hullquad_app.panels.figures import shown
+from hullquad_app.panels.table import HATCHED
+from hullquad_app.scene import Scene
+from hullquad_app.verdict_words import Fate, fate
 
 MOST = 200
 """Rows of the table."""
@@ -33,7 +39,14 @@ class Listed:
 
     mesh: Mesh
     quality: Quality
+    given: Bools | None
+    levels: Bytes | None
+    """By the rule set, where elements are coloured by one."""
     ranking: Ranking
+
+    def fate(self, row: int) -> Fate:
+        """What becomes of the element in a row."""
+        return fate(self.quality, self.given, int(self.ranking.rows[row]))
 
 
 class WorstModel(QAbstractTableModel):
@@ -44,10 +57,13 @@ class WorstModel(QAbstractTableModel):
         self._listed: Listed | None = None
         self._palette, self._map = LIGHT, COLOUR_MAPS[0]
 
-    def show_quality(self, mesh: Mesh | None, quality: Quality | None) -> None:
-        """List the worst elements of a mesh."""
-        before = self.rowCount()
-        listed = None if mesh is None or quality is None else Listed(mesh, quality, ranking(mesh, quality, MOST))
+    def show_scene(self, scene: Scene) -> None:
+        """List the worst elements of the mesh that a scene shows."""
+        before, listed = self.rowCount(), None
+        if scene.mesh is not None and scene.quality is not None:
+            levels = None if scene.assessment is None else scene.assessment.levels
+            worst = ranking(scene.mesh, scene.quality, MOST)
+            listed = Listed(scene.mesh, scene.quality, scene.given, levels, worst)
         if (0 if listed is None else len(listed.ranking.rows)) == before:
             self._listed = listed
             self._repaint()
@@ -98,16 +114,17 @@ class WorstModel(QAbstractTableModel):
         name, row = COLUMNS[index.column()], index.row()
         if role == Qt.ItemDataRole.TextAlignmentRole:
             return _RIGHT if name in _NUMBERS else _LEFT
-        found = self._roles().get(Qt.ItemDataRole(role))
+        found = self._roles().get(role)
         return None if found is None else found(self._listed, row, name)
 
-    def _roles(self) -> dict[Qt.ItemDataRole, Callable[[Listed, int, str], Any]]:
+    def _roles(self) -> dict[int, Callable[[Listed, int, str], Any]]:
         return {
             Qt.ItemDataRole.DisplayRole: self._text,
             Qt.ItemDataRole.ForegroundRole: self._colour,
             Qt.ItemDataRole.DecorationRole: self._swatch,
             Qt.ItemDataRole.ToolTipRole: self._tip,
             Qt.ItemDataRole.FontRole: self._font,
+            HATCHED: self._is_hatched,
         }
 
     def _titles(self) -> dict[str, str]:
@@ -132,7 +149,7 @@ class WorstModel(QAbstractTableModel):
             "value": "" if by is None else by.formula,
             "min_angle": metric("min_angle").formula + " [°]",
             "aspect_ratio": metric("aspect_ratio").formula,
-            "state": self.tr("Whether the element is beyond its limit, or turned inside out"),
+            "state": self.tr("Whether the element is beyond its limit, turned inside out, or given so by the contour"),
         }
 
     def _text(self, listed: Listed, row: int, name: str) -> str | None:
@@ -142,46 +159,40 @@ class WorstModel(QAbstractTableModel):
         if name == "kind":
             return self.tr("triangle") if quality.is_triangle[element] else self.tr("quad")
         if name == "value":
-            return shown(float(quality.values[element]), quality.metric)
+            return shown(float(quality.values[element]), _judge(listed, element))
         if name == "min_angle":
             return shown(float(listed.ranking.min_angles[row]), metric(name))
         if name == "aspect_ratio":
             return shown(float(listed.ranking.aspect_ratios[row]), metric(name))
-        return self._state(quality, element) if name == "state" else None
-
-    def _state(self, quality: Quality, element: int) -> str:
-        if not quality.valid[element]:
-            return self.tr("INVERTED")
-        return self.tr("FAIL") if quality.failing[element] else self.tr("pass")
+        return listed.fate(row).word if name == "state" else None
 
     def _colour(self, listed: Listed, row: int, name: str) -> QColor | None:
-        element = int(listed.ranking.rows[row])
-        if name == "kind":
+        if name == "kind" or (name == "value" and _is_by_other(listed, row)):
             return QColor(self._palette.dim)
-        if name != "state":
-            return None
-        if not listed.quality.valid[element]:
-            return QColor(INVERTED)
-        return QColor(self._palette.fail if listed.quality.failing[element] else self._palette.dim)
+        return QColor(listed.fate(row).colour(self._palette)) if name == "state" else None
 
     def _swatch(self, listed: Listed, row: int, name: str) -> QColor | None:
         if name != "swatch":
             return None
         element, quality = int(listed.ranking.rows[row]), listed.quality
+        if not quality.valid[element]:
+            return QColor(INVERTED)
+        if listed.levels is not None:
+            return QColor(LEVELS[listed.levels[element]])
         grade = float(quality.grades[element])
-        grade = min(grade, -1e-9) if quality.failing[element] else grade
-        return QColor(self._map.colour(grade, valid=bool(quality.valid[element])))
+        return QColor(self._map.colour(min(grade, -1e-9) if quality.failing[element] else grade))
 
     def _tip(self, listed: Listed, row: int, name: str) -> str | None:
-        by = listed.quality.metric
-        judge = by.triangle_metric
-        is_other = listed.quality.is_triangle[listed.ranking.rows[row]] and judge is not by
-        return (
-            self.tr("judged by {metric}").format(metric=judge.title.lower()) if name == "value" and is_other else None
-        )
+        if name == "value" and _is_by_other(listed, row):
+            judge = name_of(listed.quality.metric.triangle_metric)
+            return self.tr("triangles are judged by {metric}").format(metric=judge)
+        return listed.fate(row).reason or None if name in ("state", "swatch") else None
+
+    def _is_hatched(self, listed: Listed, row: int, name: str) -> bool:
+        return name == "swatch" and listed.fate(row).is_given
 
     def _font(self, listed: Listed, row: int, name: str) -> QFont | None:
-        if name != "state" or not listed.quality.failing[listed.ranking.rows[row]]:
+        if name != "state" or not listed.fate(row).is_failing:
             return None
         bold = QFont()
         bold.setBold(True)
@@ -191,3 +202,13 @@ class WorstModel(QAbstractTableModel):
         if self.rowCount():
             self.dataChanged.emit(self.index(0, 0), self.index(self.rowCount() - 1, len(COLUMNS) - 1))
         self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, len(COLUMNS) - 1)
+
+
+def _is_by_other(listed: Listed, row: int) -> bool:
+    """Whether an element is a triangle that is judged by another measure."""
+    return listed.quality.metric.triangles is None and bool(listed.quality.is_triangle[listed.ranking.rows[row]])
+
+
+def _judge(listed: Listed, element: int) -> Metric:
+    row = listed.quality.metric
+    return row.triangle_metric if listed.quality.is_triangle[element] else row

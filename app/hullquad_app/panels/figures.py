@@ -4,7 +4,7 @@ from math import isinf
 
 from PySide6.QtGui import QFont
 
-from hullquad.metrics import DEGREES, Metric
+from hullquad.metrics import Metric
 
 CAPTION = 0.85
 """Size of a caption over that of the font."""
@@ -16,20 +16,30 @@ def shown(value: float, by: Metric) -> str:
     """A value of a metric, without its unit; every value of a metric has the same number of decimals."""
     if isinf(value):
         return "∞" if value > 0 else "−∞"
-    decimals = 1 if by.unit == DEGREES else 3 if by.quads.high <= 1 else 2
+    decimals = 1 if by.unit else 3 if by.quads.high <= 1 else 2
     return signed(f"{value:.{decimals}f}" if abs(value) < 1e4 else f"{value:.2e}")
+
+
+def valued(value: float, by: Metric) -> str:
+    """The same with its unit."""
+    return shown(value, by) + unit_of(by)
+
+
+def unit_of(by: Metric) -> str:
+    """The unit as it is written behind a number."""
+    return f"\N{NO-BREAK SPACE}{by.unit}" if by.unit.isalpha() else by.unit
 
 
 def summed(objective: float, by: Metric) -> str:
     """A sum of values of a metric, with its unit."""
     if isinf(objective):
         return "∞" if objective > 0 else "−∞"
-    return signed(f"{objective:.{1 if by.unit == DEGREES else 3}f}{by.unit}")
+    return signed(f"{objective:.{1 if by.unit else 3}f}{unit_of(by)}")
 
 
 def plain(value: float, by: Metric) -> str:
     """A value as short as it can be, with its unit: of limits and ends of bins."""
-    return "∞" if isinf(value) else signed(f"{value:.4g}{by.unit}")
+    return "∞" if isinf(value) else signed(f"{value:.4g}{unit_of(by)}")
 
 
 def counted(number: int) -> str:

@@ -5,6 +5,7 @@ from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFontMetricsF, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
+from hullquad.arrays import Bools
 from hullquad.histogram import Histogram, histogram
 from hullquad.quality import Quality
 from hullquad_app.colours import COLOUR_MAPS, LIGHT, ColourMap, Palette
@@ -37,6 +38,7 @@ class HistogramChart(QWidget):
         self._quality: Quality | None = None
         self._first_quality: Quality | None = None
         self._selection: frozenset[int] = frozenset()
+        self._given: Bools | None = None
         self._now: Histogram | None = None
         self._first: Histogram | None = None
         self._handle = Handle()
@@ -49,10 +51,10 @@ class HistogramChart(QWidget):
 
     def show_scene(self, scene: Scene) -> None:
         """Show the spread of a scene's quality."""
-        shown = (scene.quality, scene.first_quality, scene.view.selection)
+        shown = (scene.quality, scene.first_quality, scene.view.selection, scene.given)
         if all(new is old for new, old in zip(shown, self._shown, strict=True)):
             return
-        self._quality, self._first_quality, self._selection = shown
+        self._quality, self._first_quality, self._selection, self._given = shown
         self._count()
         self.update()
 
@@ -75,8 +77,8 @@ class HistogramChart(QWidget):
         return QPointF() if plot is None else QPointF(plot.x.at(value), (plot.y.start + plot.y.end) / 2)
 
     @property
-    def _shown(self) -> tuple[Quality | None, Quality | None, frozenset[int]]:
-        return self._quality, self._first_quality, self._selection
+    def _shown(self) -> tuple[Quality | None, Quality | None, frozenset[int], Bools | None]:
+        return self._quality, self._first_quality, self._selection, self._given
 
     def _count(self) -> None:
         before, self._now, self._first = self._now, None, None
@@ -100,7 +102,8 @@ class HistogramChart(QWidget):
         rows = np.fromiter(self._selection, dtype=np.int64, count=len(self._selection))
         rows = rows[rows < len(self._now.bins)]
         selected = frozenset(np.unique(self._now.bins[rows]).tolist()) - {-1}
-        return bars(QRectF(self.rect()), letters, self._quality, self._now, self._first, selected)
+        given = 0 if self._given is None else int(self._given.sum())
+        return bars(QRectF(self.rect()), letters, self._quality, self._now, self._first, selected, given)
 
     def paintEvent(self, _: QPaintEvent) -> None:
         """Draw bars, strip, limit and legend."""

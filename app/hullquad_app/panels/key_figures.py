@@ -3,9 +3,10 @@
 from PySide6.QtCore import QEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
+from hullquad.arrays import Bools
 from hullquad.quality import Quality
 from hullquad_app.colours import INVERTED, LIGHT, Palette
-from hullquad_app.panels.figures import CAPTION, KEY, counted, shown, sized
+from hullquad_app.panels.figures import CAPTION, KEY, counted, sized, valued
 from hullquad_app.panels.ground import coloured
 
 _NONE = "–"
@@ -64,18 +65,28 @@ class KeyFigures(QWidget):
             line.addWidget(figure, stretch=1)
         self.show_quality(None, LIGHT)
 
-    def show_quality(self, quality: Quality | None, palette: Palette) -> None:
-        """Show the figures of a quality; dashes where there is none."""
+    def show_quality(self, quality: Quality | None, palette: Palette, given: Bools | None = None) -> None:
+        """Show the figures of a quality, and how many elements fail because of the contour; dashes without quality."""
         for figure in (self.worst, self.mean, self.failing, self.inverted):
             coloured(figure.caption, palette.dim)
             figure.say(_NONE, palette.dim)
+        self._say_given(0 if given is None else int(given.sum()))
         self.inverted.setVisible(quality is not None and quality.inverted_count > 0)
         if quality is None or not len(quality.values):
             return
-        unit, bad = quality.metric.unit, palette.fail
+        bad = palette.fail
         is_bad = bool(quality.failing[quality.worst_element])
-        self.worst.say(shown(quality.worst, quality.metric) + unit, bad if is_bad else palette.text)
-        self.mean.say(shown(quality.mean, quality.metric) + unit, palette.text)
+        self.worst.say(valued(quality.worst, quality.metric), bad if is_bad else palette.text)
+        self.mean.say(valued(quality.mean, quality.metric), palette.text)
         of_all = self.tr("of {count}").format(count=counted(len(quality.values)))
         self.failing.say(counted(quality.failing_count), bad if quality.failing_count else palette.text, of_all)
         self.inverted.say(counted(quality.inverted_count), INVERTED)
+
+    def _say_given(self, count: int) -> None:
+        caption, tip = self.tr("failing"), self.tr("Elements beyond their limit.")
+        if count:
+            caption = self.tr("failing, {count} given").format(count=counted(count))
+            more = self.tr("{count} of them are given by the contour: moving nodes cannot mend them.")
+            tip = f"{tip}\n{more.format(count=counted(count))}"
+        self.failing.caption.setText(caption)
+        self.failing.setToolTip(tip)

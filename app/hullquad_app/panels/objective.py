@@ -5,10 +5,11 @@ from PySide6.QtGui import QColor, QFontMetricsF, QHelpEvent, QKeyEvent, QMouseEv
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from hullquad_app.colours import COLOUR_MAPS, LIGHT, ColourMap, Palette
+from hullquad_app.metric_words import name_of
 from hullquad_app.panels.axis import Axis, ticks
 from hullquad_app.panels.band import Band, bands, draw_course, draw_frame, draw_mark, draw_ring, draw_station
 from hullquad_app.panels.course import Course, course
-from hullquad_app.panels.figures import CAPTION, counted, shown, sized, summed
+from hullquad_app.panels.figures import CAPTION, counted, sized, summed, valued
 from hullquad_app.panels.ground import dress
 from hullquad_app.panels.pace import Pace
 from hullquad_app.scene import Scene
@@ -153,9 +154,9 @@ class ObjectivePanel(QWidget):
         by = iterate.quality.metric
         text = self.tr("iterate {number}: Σ {metric} {objective}, worst {worst}, moved {moved} mm").format(
             number=iterate.number,
-            metric=by.title.lower(),
+            metric=name_of(by),
             objective=summed(iterate.objective, by),
-            worst=shown(iterate.quality.worst, by) + by.unit,
+            worst=valued(iterate.quality.worst, by),
             moved=f"{iterate.displacement:.3g}",
         )
         is_best = self._course is not None and position == self._course.best

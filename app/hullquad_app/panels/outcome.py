@@ -3,9 +3,11 @@
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
+from hullquad.metrics import Metric
 from hullquad.optimization.iterate import Iterate
 from hullquad_app.colours import INVERTED, LIGHT, Palette
-from hullquad_app.panels.figures import counted, shown, sized, summed
+from hullquad_app.metric_words import name_of
+from hullquad_app.panels.figures import counted, sized, summed, valued
 from hullquad_app.panels.ground import coloured
 from hullquad_app.scene import Scene
 
@@ -41,7 +43,7 @@ class Outcome(QWidget):
         now, start = self._scene.iterate, _start(self._scene)
         self._fill(self.before, start)
         self._fill(self.now, now)
-        self.captions[0].setText(self.tr("Sum") if now is None else self._sum_of(now.quality.metric.title))
+        self.captions[0].setText(self.tr("Sum") if now is None else self._sum_of(now.quality.metric))
         for label in (*self.captions, *self.heads, *self.before):
             coloured(label, self._palette.dim)
         self.warning.setVisible(now is not None and start is not None and _sacrifices(start, now))
@@ -50,15 +52,15 @@ class Outcome(QWidget):
         self.stop.setVisible(bool(self.stop.text()))
         coloured(self.stop, self._palette.text)
 
-    def _sum_of(self, title: str) -> str:
-        return self.tr("Sum of {metric}").format(metric=title[0].lower() + title[1:])
+    def _sum_of(self, by: Metric) -> str:
+        return self.tr("Sum of {metric}").format(metric=name_of(by))
 
     def _fill(self, labels: list[QLabel], iterate: Iterate | None) -> None:
         if iterate is None:
             texts, inverted = [_NONE] * 3, 0
         else:
             quality, inverted = iterate.quality, iterate.quality.inverted_count
-            worst = shown(quality.worst, quality.metric) + quality.metric.unit
+            worst = valued(quality.worst, quality.metric)
             texts = [summed(iterate.objective, quality.metric), worst, counted(inverted)]
         for label, text in zip(labels, texts, strict=True):
             label.setText(text)
@@ -117,6 +119,5 @@ def _start(scene: Scene) -> Iterate | None:
 
 def _sacrifices(start: Iterate, now: Iterate) -> bool:
     """Whether the sum has become better and the worst element worse."""
-    sense = 1.0 if now.quality.metric.higher_is_better else -1.0
-    is_better = sense * now.objective > sense * start.objective
-    return is_better and now.quality.metric.is_worse(now.quality.worst, start.quality.worst)
+    by = now.quality.metric
+    return by.is_worse(start.objective, now.objective) and by.is_worse(now.quality.worst, start.quality.worst)

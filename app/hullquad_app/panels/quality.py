@@ -39,13 +39,13 @@ class QualityPanel(QWidget):
     def show_scene(self, scene: Scene) -> None:
         """Show the quality of a scene."""
         before, self._scene = self._scene, scene
-        if scene.quality is not before.quality:
-            self.figures.show_quality(scene.quality, self._palette)
+        if scene.quality is not before.quality or scene.given is not before.given:
+            self.figures.show_quality(scene.quality, self._palette, scene.given)
         self.chart.show_scene(scene)
 
     def set_palette(self, palette: Palette, chosen: ColourMap = COLOUR_MAPS[0]) -> None:
         """Draw in the colours of a theme and a map."""
         self._palette = palette
         dress(self, palette)
-        self.figures.show_quality(self._scene.quality, palette)
+        self.figures.show_quality(self._scene.quality, palette, self._scene.given)
         self.chart.set_palette(palette, chosen)

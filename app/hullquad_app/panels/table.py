@@ -10,6 +10,7 @@ from PySide6.QtCore import (
     QModelIndex,
     QPersistentModelIndex,
     QRect,
+    QRectF,
     Qt,
     Signal,
 )
@@ -25,9 +26,12 @@ from PySide6.QtWidgets import (
 )
 
 from hullquad_app.colours import Palette
+from hullquad_app.hatching import draw_hatching, hatch_colour
 from hullquad_app.panels.figures import CAPTION, sized
 from hullquad_app.panels.ground import dress
 
+HATCHED = Qt.ItemDataRole.UserRole + 2
+"""Role of cells whose square is hatched."""
 Index = QModelIndex | QPersistentModelIndex
 _EXTENDS = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifier
 _HEADER = (
@@ -52,10 +56,12 @@ class Cells(QStyledItemDelegate):
         super().paint(painter, option, index)
         colour = index.data(Qt.ItemDataRole.DecorationRole)
         if isinstance(colour, QColor):
-            side = round(0.65 * option.rect.height())
+            side = min(round(0.65 * option.rect.height()), option.fontMetrics.height())
             square = QRect(0, 0, side, side)
             square.moveCenter(option.rect.center())
             painter.fillRect(square, colour)
+            if index.data(HATCHED):
+                draw_hatching(painter, QRectF(square), hatch_colour(colour))
 
 
 class Table(QTableView):

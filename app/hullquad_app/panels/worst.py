@@ -9,6 +9,7 @@ from hullquad_app.panels.ground import dress
 from hullquad_app.panels.pace import Pace
 from hullquad_app.panels.table import Table
 from hullquad_app.scene import Scene
+from hullquad_app.verdict_words import Fate
 
 _SAMPLES = {
     "element": ("0000",),
@@ -17,7 +18,7 @@ _SAMPLES = {
     "value": ("00.000",),
     "min_angle": ("90.0",),
     "aspect_ratio": ("00.00",),
-    "state": ("FAIL", "State"),
+    "state": ("FAIL, given", "State"),
 }
 """Long texts of each column."""
 _EXTRA = ("aspect_ratio", "min_angle", "kind")
@@ -54,7 +55,7 @@ class WorstPanel(QWidget):
     def show_scene(self, scene: Scene) -> None:
         """List the worst elements of a scene; while it runs not more than a few times a second."""
         before, self._scene = self._scene, scene
-        if scene.quality is not self._listed.quality or scene.running != before.running:
+        if _is_other(scene, self._listed) or scene.running != before.running:
             self._pace.ask(at_once=not scene.running)
         if scene.view.selection is not before.view.selection:
             self._select()
@@ -75,10 +76,10 @@ class WorstPanel(QWidget):
         self._go(-1)
 
     def _refresh(self) -> None:
-        if self._scene.quality is self._listed.quality:
+        if not _is_other(self._scene, self._listed):
             return
         self._listed = self._scene
-        self.model.show_quality(self._scene.mesh, self._scene.quality)
+        self.model.show_scene(self._scene)
         self._fit_columns()
         self._select()
 
@@ -126,5 +127,9 @@ class WorstPanel(QWidget):
         if name == "element" and self._listed.mesh is not None:
             texts.append(str(self._listed.mesh.topology.element_labels.max(initial=0)))
         if name == "state" and judged is not None and judged.inverted_count:
-            texts.append(self.model.tr("INVERTED"))
+            texts.append(Fate(is_valid=False, is_failing=True, is_given=True).word)
         return self.table.width_of(*texts, bold=name == "state")
+
+
+def _is_other(scene: Scene, listed: Scene) -> bool:
+    return scene.quality is not listed.quality or scene.verdict is not listed.verdict
