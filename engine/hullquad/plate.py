@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 SNAP = 0.5
 """Distance within which the end of a line lies on the contour, and two fixed nodes are one [mm]."""
+JOIN = 1.0
+"""Distance in space within which two plates have their nodes and edges in common [mm]."""
 LEAST_LENGTH = 1.0
 """Length of the shortest edge or line, and width of the narrowest strip between two loops [mm]."""
 LEAST_PARAMETER = 1e-6

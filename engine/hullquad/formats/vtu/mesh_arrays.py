@@ -25,17 +25,19 @@ import attrs
 import numpy as np
 
 from hullquad import placement
-from hullquad.arrays import Floats, Ints
+from hullquad.arrays import Bytes, Floats, Ints
 from hullquad.formats import imported
 from hullquad.formats.vtu.data_arrays import integers, reals, text
 from hullquad.formats.vtu.document import Document, arrays, count
 from hullquad.mesh import Mesh
+from hullquad.plate import JOIN
 from hullquad.surface import Plane
 from hullquad.topology import NodeState, Topology
 
 VERSION = "hullquad version"
 _SIGNS = {VERSION, "node state", "node line"}
 _MOST_LINES = 100_000
+_SHARED = 4 * JOIN  # handed on from plate to plate; how far a shared node may be off the plane of one of them
 _UNIT = 1e-9  # how far the axes of a plane may be from unit length and from square
 
 
@@ -71,7 +73,7 @@ def mesh(points: Floats, elements: Ints, found: Sections, file: Document) -> Mes
         topology=topology,
         target_size=reader.length("target size"),
         surface=plane,
-        parameters=None if plane is None else reader.parameters(points, plane),
+        parameters=None if plane is None else reader.parameters(points, plane, topology.node_states),
         lines=lines,
         plate_id=reader.text("plate id"),
         thickness=reader.length("thickness") if "thickness" in found.whole else None,
@@ -125,13 +127,18 @@ class _Reader:
             raise self.file.refusal("axes")
         return Plane(origin=origin, u=u, v=v)
 
-    def parameters(self, points: Floats, plane: Plane) -> Floats:
-        """(N, 2) places on the plane, where the points must be: a file moved elsewhere would spring back."""
+    def parameters(self, points: Floats, plane: Plane, states: Bytes) -> Floats:
+        """(N, 2) places on the plane, where the points must be: a file moved elsewhere would spring back.
+
+        Nodes that are shared with other plates may be off it, for they are where those have them.
+        """
         array = self._array(self.found.nodes, "parameters")
         parameters = self._finite("parameters", reals(array, len(points), 2, self.file))
-        away = np.linalg.norm(plane.points(parameters) - points, axis=1).max()
-        if away > 10.0 * placement.FLATNESS * placement.diameter(points):
-            raise self.file.refusal("moved", away=away)
+        away = np.linalg.norm(plane.points(parameters) - points, axis=1)
+        is_shared = (states == NodeState.CONTOUR) | (states == NodeState.FIXED)
+        least = 10.0 * placement.FLATNESS * placement.diameter(points)
+        if (away > np.where(is_shared, max(least, _SHARED), least)).any():
+            raise self.file.refusal("moved", away=away.max())
         return parameters
 
     def length(self, name: str) -> float:
