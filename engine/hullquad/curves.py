@@ -204,6 +204,8 @@ def chord_error(curve: Curve, row: Floats) -> float:
 
 def nearest(curve: Curve, point: Floats) -> float:
     """Length from the start at which the curve is nearest to a point beside it."""
+    if isinstance(curve, Straight):
+        return float(np.clip((point - curve.start) @ (curve.end - curve.start) / curve.length, 0, curve.length))
     stations = curve.stations(curve.length / 1000)
     guess = np.argmin(np.hypot(*(curve.points(stations) - point).T))
     at = stations[guess : guess + 1]

@@ -223,8 +223,8 @@ SENTENCES: dict[str, str] = {
     "will be small: leave it out, or choose a smaller size",
     "W_ODD": "the contour has {count} edges with segments of {size:g} mm, an odd number: one triangle is unavoidable; "
     "change the division of one edge by one",
-    "W_SNAP:neighbour": "the node was moved by {distance:.2g} mm to ({u:.7g}, {v:.7g}), where plate {neighbour} has it; "
-    "correct the one or the other if that is not meant",
+    "W_SNAP:neighbour": "the node was moved by {distance:.2g} mm to ({u:.7g}, {v:.7g}), where plate {neighbour} has "
+    "it; correct the one or the other if that is not meant",
     "W_GAP": "the edge lies {distance:.3g} mm beside plate {neighbour} and is not joined to it, as only gaps up to "
     "{most:g} mm are; move it there, or farther away if the plates are to stay apart",
     "W_SNAP": "the point was moved by {distance:.2g} mm to the node at ({u:.7g}, {v:.7g})",

@@ -20,23 +20,28 @@ class Anchor:
 
     length: float
     """From the start of the edge's canonical curve [mm]."""
-    point: Floats = attrs.field(converter=floats)
+    own: Floats = attrs.field(converter=floats)
+    """(2,) in the plate's plane."""
 
 
 @attrs.frozen(eq=False)
 class Snap:
-    """A line's end or a fixed point whose node is not exactly where the document says."""
+    """A line's end, a fixed point or a vertex whose node is not exactly where the document says."""
 
     place: str
     point: Floats = attrs.field(converter=floats)
     """(2,) as in the document."""
     node: Floats = attrs.field(converter=floats)
     """(2,) where the node is."""
+    height: float = 0.0
+    """How far it is from the plate's plane [mm]."""
+    neighbour: str = ""
+    """Id of the plate that has its node there; empty when the plate's own contour or fixed node is meant."""
 
     @property
     def distance(self) -> float:
         """Length of the way between the two [mm]."""
-        return float(np.hypot(*(self.node - self.point)))
+        return float(np.linalg.norm([*(self.node - self.point), self.height]))
 
 
 @attrs.frozen(eq=False)
@@ -112,7 +117,7 @@ def _anchored(curve: Curve, point: Floats, earlier: list[Anchor], tolerance: flo
     length = nearest(curve, point)
     foot = curve.points(np.array([length]))[0]
     node = point if np.hypot(*(foot - point)) < _EXACT else foot
-    existing = [curve.start, curve.end, *(anchor.point for anchor in earlier)]
+    existing = [curve.start, curve.end, *(anchor.own for anchor in earlier)]
     away = np.hypot(*(np.array(existing) - node).T)
     if away.min() <= tolerance:
         return existing[int(away.argmin())]

@@ -5,9 +5,13 @@ from collections.abc import Iterator
 import numpy as np
 import shapely
 
-from hullquad.plate import Loop, Notice, Plate
+from hullquad.plate import JOIN, Document, Loop, Notice, Plate
 from hullquad.triangulation.contour import Contour
+from hullquad.triangulation.gaps import gaps
+from hullquad.triangulation.neighbours import neighbours
 
+_DECIMALS = 1e-3
+"""Coordinates in fewer decimals are not exact; a move of so little is none [mm]."""
 _SHORT = 0.2
 _NEAR = 0.1
 """Parts of the element size."""
@@ -18,9 +22,7 @@ def division_concerns(contour: Contour) -> Iterator[Notice]:
     yield from size_concerns(contour.plate, contour.size)
     if contour.triangles_unavoidable:
         yield Notice("W_ODD", contour.plate.place, "", {"count": contour.edge_count, "size": contour.size})
-    for snap in contour.snaps:
-        u, v = snap.node
-        yield Notice("W_SNAP", snap.place, "", {"u": u, "v": v, "distance": snap.distance})
+    yield from _snapped(contour)
     yield from _near_contour(contour)
 
 
@@ -34,6 +36,25 @@ def size_concerns(plate: Plate, size: float) -> Iterator[Notice]:
         width = float(np.ptp(outline, axis=0).max())
         if width < size - 2 * plate.chord_error:
             yield Notice("W_SMALL_HOLE", hole.place, "", {"width": width, "size": size})
+
+
+def gap_concerns(document: Document) -> Iterator[Notice]:
+    """Warnings about edges that lie beside other plates and are not joined to them."""
+    shared = neighbours(tuple(plate for plate in document.plates if plate.is_plane))
+    for gap in gaps(shared):
+        wire = shared.frame.wires[gap.wire]
+        plate, other = shared.frame.plates[wire.plate], shared.frame.plates[gap.plate]
+        place = plate.loops[wire.loop].edge_place(wire.edge)
+        yield Notice("W_GAP", place, "", {"neighbour": other.id, "distance": gap.distance, "most": JOIN})
+
+
+def _snapped(contour: Contour) -> Iterator[Notice]:
+    """What was moved, unless it is by the decimals that the document gives."""
+    for snap in contour.snaps:
+        (u, v), case = snap.node, "neighbour" if snap.neighbour else ""
+        numbers = {"u": u, "v": v, "distance": snap.distance, "neighbour": snap.neighbour}
+        if snap.distance > _DECIMALS:
+            yield Notice("W_SNAP", snap.place, case, numbers)
 
 
 def _near_contour(contour: Contour) -> Iterator[Notice]:

@@ -8,17 +8,16 @@ import numpy as np
 import shapely
 
 from hullquad.arrays import Floats, Longs, floats, longs
-from hullquad.curves import canonical, is_backwards
 from hullquad.errors import PlateError
 from hullquad.plate import Document, Plate, signed_area
-from hullquad.triangulation import division
-from hullquad.triangulation.anchors import Anchors, Snap, anchors
+from hullquad.triangulation.anchors import Snap
 from hullquad.triangulation.clearance import crossing, near_segments, segments
+from hullquad.triangulation.given_nodes import given_nodes
+from hullquad.triangulation.neighbours import Neighbours, neighbours
+from hullquad.triangulation.sizes import MOST_ELEMENTS, element_size, elements_needed, refuse_size
 
-MOST_ELEMENTS = 5_000_000
-"""Per plate."""
-_LARGEST_SIZE = 1e9
-"""Elements as large as the largest coordinate are longer than any plate; squares of the size do not overflow [mm]."""
+__all__ = ["MOST_ELEMENTS", "Contour", "attempts", "contours", "element_size", "elements_needed", "refuse_size"]
+
 _CLEARANCE = 0.01
 """Distance that nodes keep from the segments of others, so that the triangulation can tell them apart [mm]."""
 _TRIES = 8
@@ -36,21 +35,23 @@ class Contour:
     loop_starts: Longs = attrs.field(converter=longs)
     """(L + 1,) loop i is ``nodes[loop_starts[i]:loop_starts[i + 1]]``; the outer one
     counter-clockwise, holes clockwise."""
+    points: Floats = attrs.field(
+        default=attrs.Factory(lambda self: self.plate.surface.points(self.nodes), takes_self=True), converter=floats
+    )
+    """(N, 3) the nodes in space [mm]; those in common with other plates have the same bits there."""
     inside_places: tuple[str, ...] = ()
     """Paths in the document of the fixed nodes inside."""
+    rows: tuple[Longs, ...] = ()
+    """Nodes in a row, from end to end, along each edge of another plate that stands on the face of this one."""
     snaps: tuple[Snap, ...] = ()
-    """Line ends and fixed points that were moved onto the contour or onto each other."""
-
-    @cached_property
-    def points(self) -> Floats:
-        """(N, 3) the nodes in space [mm]."""
-        return self._in_space(self.nodes)
+    """What was moved: line ends and fixed points onto the contour or each other, nodes to where neighbours have them.
+    """
 
     @cached_property
     def lines(self) -> Floats:
         """(L, 2, 3) ends of stiffeners and seams in space, cut by the holes [mm]."""
         ends = self.plate.clipped_lines
-        return floats(self._in_space(ends.reshape(-1, 2)).reshape(-1, 2, 3))
+        return floats(self.plate.surface.points(ends.reshape(-1, 2)).reshape(-1, 2, 3))  # type: ignore[union-attr]
 
     @property
     def edge_count(self) -> int:
@@ -94,12 +95,11 @@ class Contour:
         inner = [shapely.Polygon(ring).representative_point() for ring in self.rings[1:]]
         return floats([(point.x, point.y) for point in inner] or np.empty((0, 2)))
 
-    def _in_space(self, parameters: Floats) -> Floats:
-        return floats(self.plate.surface.points(parameters))  # type: ignore[union-attr]  # only of plane plates
-
 
 def contours(document: Document, size: float | str | None = None) -> dict[str, Contour]:
     """Divide the contours of a document's plane plates, by plate id.
+
+    What plates have in common is divided once, with the finest of their sizes; they all get the same nodes.
 
     Parameters
     ----------
@@ -123,105 +123,37 @@ def contours(document: Document, size: float | str | None = None) -> dict[str, C
 
 def attempts(document: Document, size: float | str | None = None) -> dict[str, Contour | PlateError]:
     """Contour of each plane plate as of `contours`, or why there is none: one plate does not stop the others."""
-    plates = [plate for plate in document.plates if plate.is_plane]
-    fixed = {plate.id: anchors(plate) for plate in plates}
-    # edges that plates have in common: their anchors and sizes are to be joined here, before any is divided
+    plates = tuple(plate for plate in document.plates if plate.is_plane)
+    shared = neighbours(plates)
+    refused = dict(shared.wishes.conflicts)
     below = "/target_size" if size is None else ""
-    return {
-        plate.id: _attempt(plate, fixed[plate.id], element_size(plate, size), plate.place + below) for plate in plates
-    }
+    for plate in plates:
+        try:
+            refuse_size(plate, element_size(plate, size), plate.place + below)
+        except PlateError as error:
+            refused.setdefault(plate.id, error)
+    sizes = [np.inf if plate.id in refused else element_size(plate, size) for plate in plates]
+    return {plate.id: refused.get(plate.id) or _attempt(shared, number, sizes) for number, plate in enumerate(plates)}
 
 
-def element_size(plate: Plate, size: float | str | None) -> float:
-    """Element size of a plate, when `size` is asked for all [mm]."""
-    if size is None:
-        return plate.target_size
-    return float(getattr(plate.sizes, size)) if isinstance(size, str) else size
+def _attempt(shared: Neighbours, plate: int, sizes: Sequence[float]) -> Contour | PlateError:
+    contour = _divided(shared, plate, sizes)
+    flaw = _flaw(contour)
+    return contour if flaw is None else _too_coarse(shared, plate, sizes, flaw)
 
 
-def elements_needed(plate: Plate, size: float) -> float:
-    """Estimate of the number of elements of a size: of the area, and of those that the contour's segments ask for."""
-    count, length = _segments_asked_for(plate)
-    return float(plate.region.area) / size / size + (count + length / size) / 2
-
-
-def refuse_size(plate: Plate, size: float, place: str) -> None:
-    """Refuse what is no size, and a size that would make more elements than can be handled.
-
-    Raises
-    ------
-    PlateError
-        E_SIZE, E_TOO_BIG
-    """
-    if not size > 0:
-        raise PlateError("E_SIZE", place, "positive", shown=f"{size:g}")
-    if size > _LARGEST_SIZE:
-        raise PlateError("E_SIZE", place, "large", size=size, most=_LARGEST_SIZE)
-    if elements_needed(plate, size) > MOST_ELEMENTS:
-        raise _too_big(plate, size, place)
-
-
-def _too_big(plate: Plate, size: float, place: str) -> PlateError:
-    """Error that says which size would do."""
-    count, length = _segments_asked_for(plate)
-    left = MOST_ELEMENTS - count / 2  # left x**2 - length x / 2 - area = 0 is solved by the least size
-    if left <= 0:
-        return PlateError("E_TOO_BIG", f"{plate.place}/divisions", "divisions", count=count, most=MOST_ELEMENTS)
-    root = np.sqrt((length / 4) ** 2 + left * plate.region.area)
-    least = _rounded_up(float((length / 4 + root) / left))
-    return PlateError("E_TOO_BIG", place, size=size, most=MOST_ELEMENTS, least=least)
-
-
-def _segments_asked_for(plate: Plate) -> tuple[int, float]:
-    """Number of segments whatever the size is, and length of the edges that are divided by it [mm]."""
-    count, length = 0, 0.0
-    for i, loop in enumerate(plate.loops):
-        wishes = plate.divisions[i] if plate.divisions else ()
-        count += sum(wishes) if wishes else len(loop.curves)
-        length += 0.0 if wishes else sum(curve.length for curve in loop.curves)
-    return count, length
-
-
-def _rounded_up(size: float) -> float:
-    """A size in three digits, not below."""
-    digit = 10.0 ** (np.floor(np.log10(size)) - 2)
-    return float(np.ceil(size / digit) * digit)
-
-
-def _attempt(plate: Plate, fixed: Anchors, size: float, place: str) -> Contour | PlateError:
-    try:
-        refuse_size(plate, size, place)
-        contour = _divided(plate, fixed, size)
-        flaw = _flaw(contour)
-    except PlateError as error:
-        return error
-    return contour if flaw is None else _too_coarse(plate, fixed, size, flaw)
-
-
-def _divided(plate: Plate, fixed: Anchors, size: float) -> Contour:
-    rings = [_loop_nodes(plate, i, fixed, size) for i in range(len(plate.loops))]
+def _divided(shared: Neighbours, plate: int, sizes: Sequence[float]) -> Contour:
+    given = given_nodes(shared, plate, sizes)
     return Contour(
-        plate=plate,
-        size=size,
-        nodes=np.concatenate([*rings, fixed.inside]),
-        loop_starts=np.cumsum([0, *map(len, rings)]),
-        inside_places=fixed.inside_places,
-        snaps=fixed.snaps,
+        plate=shared.frame.plates[plate],
+        size=sizes[plate],
+        nodes=given.nodes,
+        points=given.points,
+        loop_starts=given.loop_starts,
+        inside_places=given.inside_places,
+        rows=given.rows,
+        snaps=(*shared.fixed[plate].snaps, *shared.snaps(plate)),
     )
-
-
-def _loop_nodes(plate: Plate, number: int, fixed: Anchors, size: float) -> Floats:
-    """(N, 2) nodes of a loop of the plate."""
-    loop = plate.loops[number]
-    wishes = plate.divisions[number] if plate.divisions else ()
-    rows = []
-    for i, curve in enumerate(loop.curves):
-        on_edge = fixed.on_edges.get((number, i), [])
-        wished = wishes[loop.edges[i]] if wishes else None
-        forwards = canonical(curve)
-        row = division.nodes(forwards, on_edge, division.counts(forwards, on_edge, size, wished))
-        rows.append(row[:0:-1] if is_backwards(curve) else row[:-1])
-    return np.concatenate(rows)
 
 
 def _flaw(contour: Contour) -> tuple[str, Floats] | None:
@@ -242,11 +174,12 @@ def _flaw(contour: Contour) -> tuple[str, Floats] | None:
     return next(((contour.inside_places[i], contour.inside[i]) for i in np.flatnonzero(outside)), None)
 
 
-def _too_coarse(plate: Plate, fixed: Anchors, size: float, flaw: tuple[str, Floats]) -> PlateError:
+def _too_coarse(shared: Neighbours, plate: int, sizes: Sequence[float], flaw: tuple[str, Floats]) -> PlateError:
     """Error that says which size would do."""
     place, (u, v) = flaw
-    sizes = [size / 2**i for i in range(1, _TRIES)]
-    for helping in (helping for helping in sizes if elements_needed(plate, helping) <= MOST_ELEMENTS):
-        if _flaw(_divided(plate, fixed, helping)) is None:
+    size, owner = sizes[plate], shared.frame.plates[plate]
+    finer = [size / 2**i for i in range(1, _TRIES)]
+    for helping in (helping for helping in finer if elements_needed(owner, helping) <= MOST_ELEMENTS):
+        if _flaw(_divided(shared, plate, [*sizes[:plate], helping, *sizes[plate + 1 :]])) is None:
             return PlateError("E_COARSE", place, u=u, v=v, size=size, helping=helping)
     return PlateError("E_COARSE", place, "always", u=u, v=v, size=size)

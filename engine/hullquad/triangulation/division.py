@@ -1,60 +1,51 @@
-"""An edge divided into segments between its fixed nodes."""
+"""A part of an edge, from one fixed node to the next, divided into equal segments."""
 
 import heapq
-from itertools import pairwise
+from collections.abc import Sequence
+from typing import Protocol
 
 import numpy as np
 
 from hullquad.arrays import Floats
 from hullquad.curves import Curve, Straight
-from hullquad.triangulation.anchors import Anchor
 
 _MOST_TURN = np.radians(60)
 """An arc may turn so much in a segment."""
 _ROUNDING = 1e-6
+_DIGITS = 9
 
 
-def counts(curve: Curve, anchors: list[Anchor], size: float, wished: int | None) -> list[int]:
-    """Number of segments of each part of an edge, between its fixed nodes.
+class End(Protocol):
+    """A fixed node at an end of a part."""
 
-    Parameters
-    ----------
-    curve : Curve
-        The edge, in its canonical direction.
-    anchors : list of Anchor
-        Fixed nodes on it, in order.
-    size : float
-        Length that a segment should have [mm].
-    wished : int or None
-        Number of segments of the whole edge, instead of `size`.
-    """
-    breaks = [0.0, *(anchor.length for anchor in anchors), curve.length]
-    lengths = [end - start for start, end in pairwise(breaks)]
-    numbers = _shared_out(wished, lengths) if wished else [max(1, round(length / size)) for length in lengths]
-    return [_turning_little(curve, start, end, n) for (start, end), n in zip(pairwise(breaks), numbers, strict=True)]
+    @property
+    def length(self) -> float:
+        """From the start of the edge's canonical curve [mm]."""
+
+    @property
+    def own(self) -> Floats:
+        """(2,) in the plate's plane."""
 
 
-def nodes(curve: Curve, anchors: list[Anchor], numbers: list[int]) -> Floats:
-    """(N, 2) nodes from the start of the edge to its end; the ends and the anchors keep their bits."""
-    stops = [Anchor(0.0, curve.start), *anchors, Anchor(curve.length, curve.end)]
-    parts = [_part(curve, first, last, n) for (first, last), n in zip(pairwise(stops), numbers, strict=True)]
-    return np.concatenate([*parts, curve.end[None]])
-
-
-def _part(curve: Curve, first: Anchor, last: Anchor, number: int) -> Floats:
-    """Nodes of a part of an edge, without its last."""
+def nodes(curve: Curve, first: End, last: End, number: int) -> Floats:
+    """(number + 1, 2) nodes of a part of an edge; its ends keep their bits."""
     if isinstance(curve, Straight):
-        return first.point + (np.arange(number) / number)[:, None] * (last.point - first.point)
-    part = curve.points(_stations(first.length, last.length, number)[:-1])
-    part[0] = first.point
-    return part
+        row = first.own + (np.arange(number + 1) / number)[:, None] * (last.own - first.own)
+    else:
+        row = curve.points(_stations(first.length, last.length, number))
+    row[0], row[-1] = first.own, last.own
+    return row
 
 
-def _stations(start: float, end: float, number: int) -> Floats:
-    return start + (end - start) * (np.arange(number + 1) / number)
+def equal(length: float, size: float) -> int:
+    """Number of equal segments that are nearest to a size.
+
+    The last digits of a length are rounding, and must not decide between two numbers that are equally near.
+    """
+    return max(1, round(round(length / size, _DIGITS)))
 
 
-def _turning_little(curve: Curve, start: float, end: float, number: int) -> int:
+def turning_little(curve: Curve, start: float, end: float, number: int) -> int:
     """Number of equal segments, from `number` on, none of which turns too much."""
     while not isinstance(curve, Straight):
         turns = np.abs(np.diff(curve.headings(_stations(start, end, number))))
@@ -65,7 +56,7 @@ def _turning_little(curve: Curve, start: float, end: float, number: int) -> int:
     return number
 
 
-def _shared_out(wished: int, lengths: list[float]) -> list[int]:
+def shared_out(wished: int, lengths: Sequence[float]) -> list[int]:
     """Share out segments among the parts of an edge: one each, every further one where they are longest."""
     numbers = [1] * len(lengths)
     longest = [(-length, i) for i, length in enumerate(lengths)]
@@ -75,3 +66,7 @@ def _shared_out(wished: int, lengths: list[float]) -> list[int]:
         numbers[i] += 1
         heapq.heapreplace(longest, (-lengths[i] / numbers[i], i))
     return numbers
+
+
+def _stations(start: float, end: float, number: int) -> Floats:
+    return start + (end - start) * (np.arange(number + 1) / number)

@@ -20,8 +20,9 @@ from hullquad.formats.hullplate.plate_entry import is_id
 from hullquad.formats.hullplate.plate_entry import plate as plate_of
 from hullquad.formats.source import content
 from hullquad.plate import Document, Material, Notice, Plate, Refusal
-from hullquad.triangulation.concerns import division_concerns, size_concerns
+from hullquad.triangulation.concerns import division_concerns, gap_concerns, size_concerns
 from hullquad.triangulation.contour import attempts
+from hullquad.triangulation.neighbours import neighbours
 
 _VERSION = 1
 _LENGTHS = {"mm": 1.0, "m": 1000.0}
@@ -72,13 +73,16 @@ def _surveyed(path: Path) -> tuple[Document, tuple[Refusal, ...], Positions]:
     in_order = _in_order(faults, positions)
     if not all(map(_concerns_one_plate, in_order)):
         raise in_order[0].among(len(in_order) - 1)
+    conflicts = _conflicts(found["plates"])
+    in_order = _in_order([*faults, *conflicts.values()], positions)
     document = Document(
         name=found["name"],
         materials=found["materials"],
-        plates=tuple(found["plates"]),
+        plates=tuple(plate for plate in found["plates"] if plate.id not in conflicts),
         input_hash=hashlib.sha256(data).hexdigest(),
     )
     notices = [notice for plate in document.plates for notice in concerns(plate)]
+    notices += gap_concerns(document)
     document = attrs.evolve(document, warnings=_in_order(notices, positions))
     return document, tuple(_refusals(in_order, value["plates"])), positions
 
@@ -86,6 +90,11 @@ def _surveyed(path: Path) -> tuple[Document, tuple[Refusal, ...], Positions]:
 def _concerns_one_plate(fault: PlateError) -> bool:
     """Whether the other plates can be used in spite of a fault; of an id given twice, nobody knows which is meant."""
     return fault.place.startswith("/plates/") and fault.code != "E_DUP_ID"
+
+
+def _conflicts(plates: Sequence[Plate]) -> dict[str, PlateError]:
+    """By plate id: numbers of divisions that an earlier plate on the same edge forbids."""
+    return neighbours(tuple(plate for plate in plates if plate.is_plane)).wishes.conflicts
 
 
 def _refusals(faults: Sequence[PlateError], plates: list[Any]) -> Iterator[Refusal]:
