@@ -23,7 +23,8 @@ def window(qtbot):
 def test_words_are_shown_where_there_is_room(window, qtbot, width, style):
     window.resize(width, 200)
     qtbot.waitUntil(lambda: window.bar.toolButtonStyle() == getattr(Qt.ToolButtonStyle, style))
-    assert all(window.bar.widgetForAction(action).isVisible() for action in window.bar.actions())
+    buttons = [window.bar.widgetForAction(action) for action in window.bar.actions() if not action.isSeparator()]
+    qtbot.waitUntil(lambda: all(button.isVisible() for button in buttons))
 
 
 def test_words_come_back_with_the_room(window, qtbot):
