@@ -26,6 +26,8 @@ LEAST_PARAMETER = 1e-6
 """The same two for a plate whose parameters run over 0..1."""
 CHORD_ERROR = 0.02
 """How far the polylines by which contours are compared leave their arcs [mm]."""
+_CHORDS = 32
+"""Of each edge of a curved plate, when it is shown."""
 
 
 @attrs.frozen(eq=False)
@@ -104,6 +106,11 @@ class Loop:
     def outline(self, tolerance: float) -> Floats:
         """(N, 2) corners of the polygon within `tolerance` of the loop."""
         return np.concatenate([polyline(curve, tolerance)[:-1] for curve in self.curves])
+
+    def samples(self, chords: int) -> Floats:
+        """(N, 2) corners of a polygon with so many chords for each edge, also a straight one."""
+        parts = np.arange(chords) / chords
+        return np.concatenate([curve.points(parts * curve.length) for curve in self.curves])
 
 
 @attrs.frozen
@@ -186,6 +193,12 @@ class Plate:
     def outlines(self) -> tuple[Floats, ...]:
         """Fine polygon of each loop."""
         return tuple(floats(loop.outline(self.chord_error)) for loop in self.loops)
+
+    @cached_property
+    def rims(self) -> tuple[Floats, ...]:
+        """Polygon of each loop in space, (N, 3) [mm]."""
+        flat = self.outlines if self.is_plane else tuple(loop.samples(_CHORDS) for loop in self.loops)
+        return tuple(floats(self.surface.points(outline)) for outline in flat)
 
     @cached_property
     def box(self) -> Floats:

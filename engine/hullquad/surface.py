@@ -1,5 +1,7 @@
 """The surface a plate lies on: from its parameter plane to space."""
 
+from math import comb
+
 import attrs
 import numpy as np
 
@@ -23,6 +25,11 @@ class Plane:
         """(N, 3) points in space [mm] of (N, 2) parameters."""
         return self.origin + parameters[:, :1] * self.u + parameters[:, 1:] * self.v
 
+    @property
+    def directions(self) -> tuple[Floats, Floats]:
+        """(3,) unit vectors to the right and up of a plan view."""
+        return self.u, self.v
+
     def parameters(self, points: Floats) -> Floats:
         """(N, 2) parameters of the points' feet on the plane; `points` is (N, 3) [mm]."""
         return np.stack([(points - self.origin) @ self.u, (points - self.origin) @ self.v], axis=1)
@@ -44,6 +51,17 @@ class Cylinder:
     start_angle: float
     """[rad]"""
 
+    def points(self, parameters: Floats) -> Floats:
+        """(N, 3) points in space [mm] of (N, 2) parameters."""
+        along, angles = parameters[:, :1], self.start_angle + parameters[:, 1:] / self.radius
+        across = np.cos(angles) * self.frame.v + np.sin(angles) * self.frame.normal
+        return self.frame.origin + along * self.frame.u + self.radius * across
+
+    @property
+    def directions(self) -> tuple[Floats, Floats]:
+        """(3,) unit vectors to the right and up of a plan view: the axis, and across it."""
+        return self.frame.directions
+
 
 @attrs.frozen(eq=False)
 class Bezier:
@@ -53,6 +71,27 @@ class Bezier:
     """
 
     control: Floats = attrs.field(converter=floats)
+
+    def points(self, parameters: Floats) -> Floats:
+        """(N, 3) points in space [mm] of (N, 2) parameters."""
+        rows, columns, _ = self.control.shape
+        weights = _bernstein(rows - 1, parameters[:, 1]), _bernstein(columns - 1, parameters[:, 0])
+        return floats(np.einsum("nj,ni,jik->nk", *weights, self.control))
+
+    @property
+    def directions(self) -> tuple[Floats, Floats]:
+        """(3,) unit vectors to the right and up of a plan view: along the first parameter, and square to it."""
+        first, second = self.control[0, -1] - self.control[0, 0], self.control[-1, 0] - self.control[0, 0]
+        right = first / np.linalg.norm(first)
+        up = second - (second @ right) * right
+        return floats(right), floats(up / np.linalg.norm(up))
+
+
+def _bernstein(degree: int, parameters: Floats) -> Floats:
+    """(N, degree + 1) Bernstein polynomials at (N,) parameters."""
+    powers = np.arange(degree + 1)
+    binomials = np.array([comb(degree, int(power)) for power in powers])
+    return floats(binomials * parameters[:, None] ** powers * (1 - parameters[:, None]) ** (degree - powers))
 
 
 Surface = Plane | Cylinder | Bezier

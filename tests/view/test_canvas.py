@@ -138,6 +138,16 @@ def test_a_curved_plate_is_said_to_be_one(canvas, document, request):
     assert canvas.overlay.notice == ""
 
 
+def test_a_curved_plate_is_shown_by_its_outline_in_space(canvas, document, request):
+    plates = request.path.parents[2] / "assets" / "plates"
+    document.open(State(plates=read_plates(plates / "bilge_shell.json")))
+    outline = shown(canvas, "outline")
+    assert is_visible(canvas, "outline")
+    assert (np.ptp(outline.points, axis=0) > 100).all()
+    across = np.abs(canvas.viewpoint.camera.pixels(outline.points)).max(axis=0)
+    assert (across <= [300 - 47, 200 - 47]).all()
+
+
 def test_selected_elements_have_an_outline_around_them(canvas, document, give, coarse):
     give(coarse)
     document.look(selection=frozenset({0}))

@@ -39,7 +39,7 @@ class Overlay(QWidget):
         self._hovered, self.tip = None, ""
 
     def set_notice(self, text: str) -> None:
-        """Say something in the middle of the view."""
+        """Say something in the middle of the view, or above the outline of a plate."""
         if text != self.notice:
             self.notice = text
             self.update()
@@ -146,7 +146,8 @@ class Overlay(QWidget):
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, self.tip)
 
     def _paint_notice(self, painter: QPainter) -> None:
-        margin = 3 * self.fontMetrics().height()
+        margin = (1 if self._loops else 3) * self.fontMetrics().height()
         box = QRectF(self.rect()).adjusted(margin, margin, -margin, -margin)
         painter.setPen(QColor(self.palette_shown.dim))
-        painter.drawText(box, Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap, self.notice)
+        height = Qt.AlignmentFlag.AlignTop if self._loops else Qt.AlignmentFlag.AlignVCenter  # above a plate
+        painter.drawText(box, Qt.AlignmentFlag.AlignHCenter | height | Qt.TextFlag.TextWordWrap, self.notice)

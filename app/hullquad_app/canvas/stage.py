@@ -9,7 +9,6 @@ from hullquad.mesh import Mesh
 from hullquad.plate import Document as PlateDocument
 from hullquad.plate import Plate
 from hullquad.sight import from_notch
-from hullquad.surface import Plane
 from hullquad.topology import Topology, edges, half_edges
 from hullquad.triangulation.contour import Contour, attempts
 from hullquad_app.canvas.layer import Layer
@@ -219,9 +218,9 @@ class Stage:
         for name in ("outline", "nodes"):
             self.layers[name].clear()
         self._show_lines(_NO_LINES)
-        if plate is None or document is None or not isinstance(plate.surface, Plane):
+        if plate is None or document is None:
             return
-        self.loops = loops = [plate.surface.points(loop) for loop in plate.outlines]
+        self.loops = loops = list(plate.rims)
         self.points = floats(np.concatenate(loops))
         self.layers["outline"].set_segments(
             np.concatenate([np.stack([loop, np.roll(loop, -1, axis=0)], axis=1) for loop in loops])

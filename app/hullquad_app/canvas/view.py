@@ -10,7 +10,6 @@ from PySide6.QtWidgets import QWidget
 
 from hullquad.arrays import Floats, floats
 from hullquad.sight import plan
-from hullquad.surface import Plane
 from hullquad_app.canvas.overlay import Overlay
 from hullquad_app.canvas.picker import Picker, corners, nodes_of
 from hullquad_app.canvas.pointer import Pointer
@@ -278,8 +277,8 @@ class Canvas(QWidget):
         scene = self._scene
         if scene.mesh is not None:
             self.viewpoint.plan = plan(scene.mesh)
-        elif scene.plate is not None and isinstance(scene.plate.surface, Plane):
-            self.viewpoint.plan = (scene.plate.surface.u, scene.plate.surface.v)
+        elif scene.plate is not None:
+            self.viewpoint.plan = scene.plate.surface.directions
 
     def _notice(self) -> str:
         plate = self._scene.plate
