@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from hullquad.rules import rule_sets
 from hullquad_app.assets import samples
 
 ROOT = Path(__file__).parents[1]
@@ -34,6 +35,11 @@ def test_an_installed_program_finds_its_samples(site):
     plates = answer("from hullquad_app.assets import *; print(FOLDER, len(samples()))", site)
     count = len(list((ROOT / "assets" / "plates").glob("*.json")))
     assert plates == f"{site / 'hullquad_app' / 'assets'} {count}"
+
+
+def test_an_installed_program_finds_its_rule_sets(site):
+    code = "from hullquad import rules; print(rules.__file__, len(rules.rule_sets()))"
+    assert answer(code, site) == f"{site / 'hullquad' / 'rules' / '__init__.py'} {len(rule_sets())}"
 
 
 def test_a_checkout_finds_its_samples():
