@@ -86,7 +86,11 @@ def _add_quality(command: ArgumentParser) -> None:
     command.set_defaults(command=judge_mesh)
     command.add_argument("input", type=Path, metavar="MESH", help="mesh file (.vtu)")
     command.add_argument(
-        "--csv", type=_file_name, metavar="FILE|-", help="one row per element, to a file or to standard output"
+        "--csv",
+        type=_file_name,
+        metavar="FILE|-",
+        help="one row per element with all metrics, to a file or to standard output; 'given' is true where moving "
+        "nodes cannot mend the worst that is said of the element",
     )
     command.add_argument("--json", action="store_true", help="print one JSON object")
     command.add_argument(
@@ -98,9 +102,9 @@ def _add_quality(command: ArgumentParser) -> None:
     command.add_argument(
         "--fail-on",
         choices=["warn", "error"],
-        help="end with 3 where an element is warned of, or is an error, by the rule set; without one, what a metric of "
-        "Table 1 does not accept is an error, what any other metric does not accept a warning. Elements that the "
-        "contour gives so count too; their number is told",
+        help="end with 3 where elements are warned of, or in error, by --rules; without rules, what a metric of "
+        "Table 1 does not accept is an error, and what another one does not accept a warning, but for lengths. "
+        "Elements that the contour gives so count, too; how many they are is told",
     )
 
 
