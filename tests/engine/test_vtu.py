@@ -409,3 +409,11 @@ def test_a_damaged_file_gives_a_mesh_or_an_error_that_tells(ours, file, data):
 def test_values_of_elements_are_written_for_others_and_ignored_here(ours, file):
     assert 'Name="stretch &lt;%&gt;"' in ours
     assert parsed(file(ours)).topology.element_labels.tolist() == [5, 6, 7]
+
+
+def test_what_sizes_are_relative_to_comes_back(dented, tmp_path):
+    moved = dented.with_parameters(dented.parameters)
+    vtu.write(moved, tmp_path / "moved.vtu")
+    np.testing.assert_array_equal(vtu.read(tmp_path / "moved.vtu").reference_areas, [10_000.0, 0.0])
+    vtu.write(dented, tmp_path / "dented.vtu")
+    assert vtu.read(tmp_path / "dented.vtu").reference_areas is None

@@ -131,6 +131,8 @@ def _field_data(mesh: Mesh) -> Chunks:
     ]
     if mesh.thickness is not None:
         parts.append(numbers("thickness", floats([mesh.thickness]), is_field=True))
+    if mesh.reference_areas is not None:
+        parts.append(numbers("reference areas", mesh.reference_areas, is_field=True))
     if plane is not None:
         parts.append(numbers("plane", np.stack([plane.origin, plane.u, plane.v]), is_field=True))
     if len(mesh.lines):

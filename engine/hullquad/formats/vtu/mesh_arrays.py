@@ -13,6 +13,8 @@ FieldData     plate id             text
 FieldData     input hash           text       SHA-256 of the plate document
 FieldData     target size          1          [mm]
 FieldData     thickness            1          [mm]; not there when it is unknown
+FieldData     reference areas      1          of quads and triangles, what sizes are relative to [mm²]; not there
+                                              when it is the means of the elements
 FieldData     plane                3          origin, u and v; not there when the mesh is not flat
 FieldData     lines                6          both ends of each stiffener and seam line; not there without
 ============  ===================  =========  ==========================================================
@@ -37,6 +39,7 @@ from hullquad.topology import NodeState, Topology
 VERSION = "hullquad version"
 _SIGNS = {VERSION, "node state", "node line"}
 _MOST_LINES = 100_000
+_AREAS = "reference areas"
 _SHARED = 4 * JOIN  # handed on from plate to plate; how far a shared node may be off the plane of one of them
 _UNIT = 1e-9  # how far the axes of a plane may be from unit length and from square
 
@@ -75,6 +78,7 @@ def mesh(points: Floats, elements: Ints, found: Sections, file: Document) -> Mes
         surface=plane,
         parameters=None if plane is None else reader.parameters(points, plane, topology.node_states),
         lines=lines,
+        reference_areas=reader.areas(),
         plate_id=reader.text("plate id"),
         thickness=reader.length("thickness") if "thickness" in found.whole else None,
         input_hash=reader.text("input hash"),
@@ -146,6 +150,14 @@ class _Reader:
         if not 0.0 < value <= imported.FARTHEST:
             raise self.file.refusal("length_value", name=name, found=value)
         return value
+
+    def areas(self) -> Floats | None:
+        if _AREAS not in self.found.whole:
+            return None
+        areas = self._finite(_AREAS, reals(self.found.whole[_AREAS], 2, 1, self.file)).ravel()
+        if (areas < 0.0).any():
+            raise self.file.refusal("length_value", name=_AREAS, found=areas.min())
+        return areas
 
     def text(self, name: str) -> str:
         return text(self._array(self.found.whole, name), self.file)
