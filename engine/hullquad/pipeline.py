@@ -97,7 +97,7 @@ def prepare() -> None:
     A plate of three triangles goes the whole way, so that each kernel is met as it is in earnest.
     """
     from hullquad.metrics import metric  # noqa: PLC0415  all of these bring Numba
-    from hullquad.metrics.values import valid_elements  # noqa: PLC0415
+    from hullquad.metrics.values import smooth_gradients  # noqa: PLC0415
     from hullquad.optimization.paper import PaperSettings, paper_iterates  # noqa: PLC0415
     from hullquad.quads.augment import augment  # noqa: PLC0415
     from hullquad.quads.join import elements, joins  # noqa: PLC0415
@@ -117,7 +117,7 @@ def prepare() -> None:
         parameters=nodes,
     )
     list(paper_iterates(mesh, metric("stretch"), PaperSettings(iterations=1)))
-    valid_elements(mesh.points, mesh.topology.elements, mesh.normals)
+    smooth_gradients(metric("shape"), 4.0, mesh.points, mesh.topology.quads, mesh.normals)
 
 
 def _states(contour: Contour, nodes: int) -> Bytes:

@@ -107,7 +107,7 @@ def quality(mesh: Mesh, metric: Metric, band: Band | None = None) -> Quality:
 
     elements, is_triangle = mesh.topology.elements, mesh.topology.is_triangle
     band = metric.band if band is None else band
-    values, valid = judged_values(metric, mesh.points, elements, mesh.normals)
+    values, valid = judged_values(metric, mesh.points, elements, mesh.normals, mesh.reference_areas)
     within = np.where(
         is_triangle,
         metric.triangle_metric.is_within(metric.triangle_band, values),

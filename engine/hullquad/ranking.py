@@ -46,4 +46,4 @@ def values_of(mesh: Mesh, by: Metric, rows: Longs) -> Floats:
     """Judged values of some elements of a mesh by a metric."""
     from hullquad.metrics.values import judged_values  # noqa: PLC0415  brings Numba: half a second
 
-    return judged_values(by, mesh.points, mesh.topology.elements[rows], mesh.normals)[0]
+    return judged_values(by, mesh.points, mesh.topology.elements[rows], mesh.normals, mesh.areas)[0]

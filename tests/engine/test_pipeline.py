@@ -126,9 +126,9 @@ from hullquad.quality import quality
 from hullquad.triangulation.contour import contours
 import attrs, sys
 pipeline.prepare()
-from hullquad.metrics import kernels, quad, triangle, vectors
+from hullquad.metrics import kernels, machine, quad, vectors
 from hullquad.quads import augment, front
-known = lambda: {(m.__name__, n): len(f.signatures) for m in (kernels, quad, triangle, vectors, augment, front)
+known = lambda: {(m.__name__, n): len(f.signatures) for m in (kernels, machine, quad, vectors, augment, front)
                  for n, f in vars(m).items() if hasattr(f, "signatures")}
 before = known()
 document = read_plates(Path(sys.argv[1]))

@@ -11,7 +11,7 @@ from hullquad.cli.decimals import LONGEST, Text, Words, powers_of_ten, put_numbe
 from hullquad.mesh import Mesh
 from hullquad.metrics import METRICS
 from hullquad.metrics.compiled import compiled
-from hullquad.metrics.values import all_judged, reference_areas
+from hullquad.metrics.values import all_judged
 
 BLOCK = 1 << 14
 """Elements that are judged and written at a time: some ten megabytes."""
@@ -39,7 +39,7 @@ class ElementTable:
         """A heading, then the rows of each block; values are empty where a triangle has no such metric."""
         verdict = [] if self.verdict is None else ["verdict"]
         yield ",".join(["element", "type", "valid", *(row.key for row in METRICS), "given", *verdict]).encode() + b"\n"
-        areas = reference_areas(self.mesh.points, self.mesh.topology.elements)
+        areas = self.mesh.areas
         for start in range(0, len(self.given), BLOCK):
             yield self._rows(slice(start, start + BLOCK), areas)
 

@@ -1,62 +1,59 @@
-"""ANSYS's shape metrics on one quad, compiled: raw values of edges that were brought to size 1, angles in radians."""
+"""ANSYS's shape metrics: formulas of an element.
 
-from math import inf, pi
+Ansys Theory Reference 12.1, "Element Shape Testing"; skewness: Ansys Meshing. VTK has none of them.
+"""
 
-from hullquad.metrics.compiled import compiled
-from hullquad.metrics.quad import (
-    Vectors4,
-    angle_between,
-    area_vector,
-    axes,
-    interior_angles,
-    jacobians,
-    ratio,
-)
-from hullquad.metrics.vectors import Vector, dot, length, scaled, square
+from math import inf, sqrt
+
+from hullquad.metrics.element import Element
+from hullquad.metrics.expression import Arrow, Number, arc, choice, cross, dot, root
+from hullquad.metrics.extremes import greatest, least
+from hullquad.metrics.table_1 import deviations
 
 OF_DIFFERENT_SIGN = -100.0
 """Raw Jacobian ratio of a quad with both open and concave corners."""
 
 
-@compiled
-def aspect_ratio(sides: Vectors4) -> float:
-    """Sides of the more stretched of the two rectangles through the mid-points of the edges.
+def aspect_ratio(element: Element) -> Number:
+    """Longer side over shorter of the most stretched rectangle through the mid-points of the edges.
 
-    Of the four ratios of sides the largest is the longer axis over the shorter one's part across it.
+    Rectangles stand on each line between mid-points of opposite edges; the largest ratio is that of the longer
+    line to the part of the shorter one across it. Of triangles they stand on the medians and on the mid-lines
+    across them, where the longest median decides; over √3, so that an equilateral one has 1.
     """
-    x1, x2 = axes(sides)
-    return ratio(max(square(x1), square(x2)), length(area_vector(sides)), inf)
+    if element.count == 4:
+        first, second = element.axes
+        longer = greatest([first.square, second.square], element.doublings)
+        return longer.over(element.sum_of_normals.length, inf)
+    half = 0.5 * (element.squares[0] + element.squares[1] + element.squares[2])
+    medians = [half - 0.75 * square for square in element.squares]
+    return greatest(medians, element.doublings).over(sqrt(3.0) * element.area, inf)
 
 
-@compiled
-def jacobian_ratio(sides: Vectors4, normal: Vector) -> float:
-    """Largest corner Jacobian over the least."""
-    every = jacobians(sides, normal)
-    least, largest = min(every), max(every)
-    if least < 0.0 < largest:
-        return OF_DIFFERENT_SIGN
-    if largest <= 0.0:
-        least, largest = -largest, -least
-    return ratio(largest, least, inf)
+def jacobian_ratio(element: Element) -> Number:
+    """Largest corner Jacobian over the least; -100 if their signs differ."""
+    low, high = least(element.jacobians, element.doublings), greatest(element.jacobians, element.doublings)
+    reversed_or_flat = choice(high, choice(-low, OF_DIFFERENT_SIGN, inf), (-low).over(-high, inf))
+    return choice(low, high.over(low, inf), reversed_or_flat)
 
 
-@compiled
-def warping_factor(sides: Vectors4) -> float:
-    """Distance of the diagonals from each other over the square root of the projected area."""
-    vector = area_vector(sides)
-    doubled = length(vector) ** 0.5
-    return ratio(2.0 * abs(dot(vector, sides[0])), doubled * doubled * doubled, inf)
+def warping_factor(element: Element) -> Number:
+    """Distance of the diagonals from each other over the root of the projected area."""
+    normal = element.sum_of_normals
+    return abs(dot(normal, element.sides[0])).over(normal.length * root(element.area), inf)
 
 
-@compiled
-def parallel_deviation(sides: Vectors4) -> float:
+def parallel_deviation(element: Element) -> Number:
     """Largest angle between two opposite edges [rad]."""
-    e0, e1, e2, e3 = sides
-    return max(angle_between(e0, scaled(-1.0, e2)), angle_between(e1, scaled(-1.0, e3)))
+    e0, e1, e2, e3 = element.sides
+    return greatest([angle_between(e0, -e2), angle_between(e1, -e3)], element.doublings)
 
 
-@compiled
-def skewness(sides: Vectors4, normal: Vector) -> float:
-    """Largest deviation of an interior angle from the right angle, over the right angle."""
-    every = interior_angles(sides, normal)
-    return max(max(every) / (0.5 * pi) - 1.0, 1.0 - min(every) / (0.5 * pi))
+def skewness(element: Element) -> Number:
+    """Largest deviation of an interior angle from 90°, of triangles from 60°, over the farthest it can be."""
+    return greatest(deviations(element), element.doublings)
+
+
+def angle_between(a: Arrow, b: Arrow) -> Number:
+    """Angle between two vectors, from 0 to pi [rad]."""
+    return arc(cross(a, b).length, dot(a, b))

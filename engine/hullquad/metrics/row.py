@@ -36,7 +36,7 @@ class Scale:
     """Ends of the acceptable band as the source gives them."""
 
 
-@attrs.frozen(kw_only=True)
+@attrs.frozen(kw_only=True, cache_hash=True)
 class Metric:
     """One row of the table: what a metric is called, how it is read and when it is acceptable."""
 

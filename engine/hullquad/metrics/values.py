@@ -1,4 +1,4 @@
-"""Values of metrics on the elements of a mesh: the kernels behind plain functions on arrays.
+"""Values of metrics on the elements of a mesh, and their slopes: the kernels behind plain functions on arrays.
 
 A kernel is compiled once, for read-only arrays; what can be written to is copied first. In all of them:
 
@@ -13,14 +13,19 @@ areas : (2,) float array
 """
 
 from collections.abc import Sequence
+from math import inf
 
 import numpy as np
 
 from hullquad.arrays import Bools, Floats, Ints, floats, ints
+from hullquad.mesh import mean_areas
 from hullquad.metrics import METRICS, Metric, kernels
+from hullquad.metrics.program import Program
+from hullquad.metrics.programs import corners_program, slopes_program, values_program
 
 ANY_SENSE = floats(np.zeros((1, 3)))
 """Normals for elements of which only their own sense is known."""
+_NO_AREAS = floats(np.zeros(2))
 
 
 def judged_values(
@@ -36,7 +41,7 @@ def judged_values(
     valid : (E,) bool array
     """
     values, valid = all_judged(points, elements, normals, areas, (metric,))
-    return np.ravel(values), valid
+    return values[:, 0], valid
 
 
 def all_judged(
@@ -47,25 +52,18 @@ def all_judged(
     metrics: Sequence[Metric] = METRICS,
 ) -> tuple[Floats, Bools]:
     """(E, M) judged values of every element by several metrics, and (E,) validity, as of `judged_values`."""
-    points, elements = floats(points), ints(elements)
-    areas = reference_areas(points, elements) if areas is None else floats(areas)
-    values, valid = np.empty((len(elements), len(metrics))), np.empty(len(elements), dtype=bool)
-    rows = ints([_row(metric) for metric in metrics])
-    invalid = floats([[row.invalid for row in metrics], [row.triangle_metric.invalid for row in metrics]])
-    factors = np.array([metric.factor for metric in metrics])
-    kernels.judge(rows, points, elements, floats(normals), areas, floats(invalid / factors[:, None]), values, valid)
-    return values * factors, valid
+    invalid = np.array([[row.invalid for row in metrics], [row.triangle_metric.invalid for row in metrics]])
+    programs = values_program(tuple(metrics), 4), values_program(tuple(metrics), 3)
+    return _judged(programs, metrics, points, elements, normals, areas, invalid)
 
 
 def raw_values(
     metric: Metric, points: Floats, quads: Ints, normals: Floats = ANY_SENSE, areas: Floats | None = None
 ) -> Floats:
     """(Q,) values of the formula as it stands, on any quad; angles in degrees."""
-    values = np.empty(len(quads))
-    points, quads = floats(points), ints(quads)
-    areas = reference_areas(points, quads) if areas is None else floats(areas)
-    kernels.raw_values(_row(metric), points, quads, floats(normals), areas, values)
-    return values * metric.factor
+    programs = values_program((metric,), 4), values_program((metric,), 3)
+    values, _ = _judged(programs, (metric,), points, quads, normals, areas, np.full((2, 1, 2), (-inf, inf)))
+    return values[:, 0]
 
 
 def corner_values(metric: Metric, points: Floats, elements: Ints, normals: Floats = ANY_SENSE) -> Floats:
@@ -74,11 +72,62 @@ def corner_values(metric: Metric, points: Floats, elements: Ints, normals: Float
     Not a number where there is none: the fourth corner of triangles, and all corners of triangles under a metric
     whose form for them is not of corners. Angles in degrees.
     """
-    if not metric.is_of_corners:
-        raise ValueError(f"{metric.key} is not of corners")
-    values = np.empty((len(elements), 4))
-    kernels.corner_values(_row(metric), floats(points), ints(elements), floats(normals), values)
-    return values * metric.factor
+    programs = corners_program(metric, 4), corners_program(metric, 3)
+    values, _ = _judged(programs, [metric] * 4, points, elements, normals, None, np.full((2, 4, 2), (-inf, inf)))
+    return values
+
+
+def valid_elements(points: Floats, elements: Ints, normals: Floats = ANY_SENSE) -> Bools:
+    """(E,) which elements are convex, not collapsed and not against their normal."""
+    return all_judged(points, elements, normals, None, ())[1]
+
+
+def value_gradients(
+    metric: Metric, points: Floats, elements: Ints, normals: Floats = ANY_SENSE, areas: Floats | None = None
+) -> tuple[Floats, Floats]:
+    """Raw values of quads, or of triangles, and their gradients by each node.
+
+    Exact, the moving centre normal included. Where a metric has a kink (several corners or edges share the extreme,
+    an angle of 0, a flat quad under a measure of warp), the gradient is the mean of the one-sided ones or 0: one
+    of the subgradients. Where it has none (a degenerate element), it is 0.
+
+    Parameters
+    ----------
+    elements : (E, 4) or (E, 3) int array
+        Quads, or triangles.
+
+    Returns
+    -------
+    values : (E,) float array
+        Angles in degrees.
+    gradients : (E, 4, 3) or (E, 3, 3) float array
+        [metric's unit per mm]
+    """
+    return smooth_gradients(metric, inf, points, elements, normals, areas)
+
+
+def smooth_gradients(
+    metric: Metric,
+    exponent: float,
+    points: Floats,
+    elements: Ints,
+    normals: Floats = ANY_SENSE,
+    areas: Floats | None = None,
+) -> tuple[Floats, Floats]:
+    """The same as `value_gradients` of a smooth stand-in, which tends to the metric as `exponent` grows.
+
+    Every least and greatest over corners, edges, diagonals and axes is a power mean (`extremes`); lengths count as
+    squares. `exponent` is a power of 2 from 1 to 1024, or infinite for the metric itself. Only of valid elements.
+    A corner angle has no stand-in.
+    """
+    points, elements = floats(points), ints(elements)
+    count = elements.shape[1]
+    program = slopes_program(metric, count, None if exponent == inf else int(exponent).bit_length() - 1)
+    values, gradients = np.empty(len(elements)), np.empty((len(elements), count, 3))
+    padded = np.pad(elements, ((0, 0), (0, 4 - count)), constant_values=-1)
+    area = float(_areas(areas, [program], points, padded)[4 - count])
+    kernels.slopes(program, points, elements, floats(normals), area, metric.factor, values, gradients)
+    return values, gradients
 
 
 def difference_gradient(
@@ -101,24 +150,31 @@ def difference_gradient(
     """
     gradient = np.zeros((len(points), 2))
     points, quads = floats(points), ints(quads)
-    areas = reference_areas(points, quads) if areas is None else floats(areas)
-    kernels.difference_gradient(_row(metric), points, quads, floats(normals), areas, floats(tangents), step, gradient)
+    program = values_program((metric,), 4)
+    area = float(_areas(areas, [program], points, quads)[0])
+    kernels.differences(program, points, quads, floats(normals), area, floats(tangents), step, gradient)
     return gradient
 
 
-def valid_elements(points: Floats, elements: Ints, normals: Floats = ANY_SENSE) -> Bools:
-    """(E,) which elements are convex, not collapsed and not against their normal."""
-    valid = np.empty(len(elements), dtype=bool)
-    kernels.validity(floats(points), ints(elements), floats(normals), valid)
-    return valid
+def _judged(
+    programs: tuple[Program, Program],
+    metrics: Sequence[Metric],
+    points: Floats,
+    elements: Ints,
+    normals: Floats,
+    areas: Floats | None,
+    invalid: Floats,
+) -> tuple[Floats, Bools]:
+    points, elements = floats(points), ints(elements)
+    values, valid = np.full((len(elements), len(metrics)), np.nan), np.empty(len(elements), dtype=bool)
+    factors, bounds = floats([metric.factor for metric in metrics]), floats(invalid.reshape(2, len(metrics), 2))
+    known = _areas(areas, programs, points, elements)
+    kernels.judge(*programs, points, elements, floats(normals), known, factors, bounds, values, valid)
+    return values, valid
 
 
-def reference_areas(points: Floats, elements: Ints) -> Floats:
-    """(2,) mean areas of the quads and of the triangles; 0 where there are none."""
-    means = np.empty(2)
-    kernels.areas(floats(points), ints(elements), means)
-    return floats(means)
-
-
-def _row(metric: Metric) -> int:
-    return METRICS.index(metric)
+def _areas(areas: Floats | None, programs: Sequence[Program], points: Floats, elements: Ints) -> Floats:
+    """What sizes are relative to; zeros where no size is asked for."""
+    if areas is not None:
+        return floats(areas)
+    return mean_areas(points, elements) if any(program.inputs[-1] >= 0 for program in programs) else _NO_AREAS

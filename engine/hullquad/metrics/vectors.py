@@ -57,15 +57,3 @@ def unit(a: Vector) -> Vector:
     if size == 0.0:
         return 0.0, 0.0, 0.0
     return a[0] / size, a[1] / size, a[2] / size
-
-
-@compiled
-def total(a: Vector, b: Vector) -> Vector:
-    """Sum of two vectors."""
-    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
-
-
-@compiled
-def scaled(factor: float, a: Vector) -> Vector:
-    """A multiple of a vector."""
-    return factor * a[0], factor * a[1], factor * a[2]

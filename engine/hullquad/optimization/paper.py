@@ -73,7 +73,7 @@ def unmoved(mesh: Mesh, metric: Metric) -> Iterate:
 
 def objective_sum(mesh: Mesh, metric: Metric) -> float:
     """The paper's objective: sum of the metric's raw values over all quads [the metric's unit]."""
-    return float(raw_values(metric, mesh.points, mesh.topology.quads, mesh.normals).sum())
+    return float(raw_values(metric, mesh.points, mesh.topology.quads, mesh.normals, mesh.reference_areas).sum())
 
 
 class _Record:
@@ -116,7 +116,9 @@ def _gradient(mesh: Mesh, surface: Plane, metric: Metric) -> Floats:
     assert mesh.parameters is not None  # a mesh on a surface has them
     tangents = surface.tangents(mesh.parameters)
     step = _DIFFERENCE * mesh.target_size
-    gradient = difference_gradient(metric, mesh.points, mesh.topology.quads, tangents, step, mesh.normals)
+    gradient = difference_gradient(
+        metric, mesh.points, mesh.topology.quads, tangents, step, mesh.normals, mesh.reference_areas
+    )
     usable = mesh.topology.is_free[:, None] & np.isfinite(gradient)
     return np.where(usable, gradient, 0.0)
 

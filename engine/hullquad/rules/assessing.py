@@ -53,7 +53,7 @@ def _judged(mesh: Mesh, rule_set: RuleSet) -> _Judged:
 
     measures = (MEASURES[rule.measure] for rule in rule_set.rules if rule.measure)
     metrics = [metric(key) for key in dict.fromkeys(measure.metric for measure in measures if measure.metric)]
-    values, valid = all_judged(mesh.points, mesh.topology.elements, mesh.normals, metrics=metrics)
+    values, valid = all_judged(mesh.points, mesh.topology.elements, mesh.normals, mesh.reference_areas, metrics)
     return _Judged(mesh, {row.key: floats(column) for row, column in zip(metrics, values.T, strict=True)}, valid)
 
 

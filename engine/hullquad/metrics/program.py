@@ -1,0 +1,102 @@
+"""Expressions as a list of steps on rows of numbers, for the machine that works them out for many elements at once."""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from hullquad.arrays import Floats, Ints, floats, ints
+from hullquad.metrics.expression import Arrow, Node, Number, Op, ordered
+
+LANES = 64
+"""Elements that are worked on side by side: length of a row."""
+
+_Key = tuple[object, ...]
+_WIDTH = 5
+
+
+class Program(NamedTuple):
+    """Steps that work out some expressions; rows are told by their number."""
+
+    steps: Ints
+    """(K, 5) operation, row of the result, rows of up to three operands; a vector has three rows."""
+    constants: Floats
+    """(C,)"""
+    constant_rows: Ints
+    """(C,) where they stand."""
+    inputs: Ints
+    """(I,) rows of the inputs, -1 of those that are not used."""
+    outputs: Ints
+    """(O,) rows of the results."""
+    length: int
+    """Number of rows."""
+
+
+def program(outputs: Sequence[Node], inputs: Sequence[Node]) -> Program:
+    """Steps that work out expressions of inputs; what occurs several times is worked out once."""
+    return _Assembly(outputs, inputs).program()
+
+
+class _Assembly:
+    """Rows are used again once nothing needs them any more, but never for the result of a step that reads them."""
+
+    def __init__(self, outputs: Sequence[Node], inputs: Sequence[Node]) -> None:
+        self._known: dict[_Key, Node] = {}
+        self._same: dict[int, Node] = {}
+        self._order = [node for node in ordered(outputs) if self._is_new(node)]
+        self._inputs = [self._same.get(id(node)) for node in inputs]
+        self._outputs = [self._same[id(node)] for node in outputs]
+        self._rows: dict[int, int] = {}
+        self._free: dict[type, list[int]] = {Number: [], Arrow: []}
+        self._length = 0
+
+    def program(self) -> Program:
+        constants = [node for node in self._order if node.op is Op.CONSTANT]
+        for node in (*constants, *(node for node in self._inputs if node is not None)):
+            self._rows[id(node)] = self._new_row(node)
+        work = [node for node in self._order if node.op not in {Op.CONSTANT, Op.INPUT}]
+        steps = self._steps(work)
+        return Program(
+            ints(np.array(steps, dtype=np.int32).reshape(-1, _WIDTH)),
+            floats([node.value for node in constants]),
+            ints([self._rows[id(node)] for node in constants]),
+            ints([-1 if node is None else self._rows[id(node)] for node in self._inputs]),
+            ints([self._rows[id(node)] for node in self._outputs]),
+            self._length,
+        )
+
+    def _is_new(self, node: Node) -> bool:
+        """Whether nothing alike was met before; an extreme is the same as its value."""
+        if node.op is Op.EXTREME:
+            self._same[id(node)] = self._same[id(node.operands[0])]
+            return False
+        operands = tuple(id(self._same[id(operand)]) for operand in node.operands)
+        first = self._known.setdefault((type(node), node.op, node.value, operands), node)
+        self._same[id(node)] = first
+        return first is node
+
+    def _steps(self, work: list[Node]) -> list[list[int]]:
+        last = {id(operand): number for number, node in enumerate(work) for operand in self._operands(node)}
+        kept = {id(node) for node in self._outputs}
+        steps = []
+        for number, node in enumerate(work):
+            operands = self._operands(node)
+            row = self._rows[id(node)] = self._row(node)
+            rows = [self._rows[id(operand)] for operand in operands]
+            steps.append([int(node.op), row, *rows, *[0] * (_WIDTH - 2 - len(rows))])
+            for done in {id(operand): operand for operand in operands}.values():
+                if last[id(done)] == number and id(done) not in kept and done.op not in {Op.CONSTANT, Op.INPUT}:
+                    self._free[type(done)].append(self._rows[id(done)])
+        return steps
+
+    def _operands(self, node: Node) -> list[Node]:
+        return [self._same[id(operand)] for operand in node.operands]
+
+    def _row(self, node: Node) -> int:
+        free = self._free[type(node)]
+        return free.pop() if free else self._new_row(node)
+
+    def _new_row(self, node: Node) -> int:
+        row = self._length
+        self._length += LANES * (3 if isinstance(node, Arrow) else 1)
+        return row
