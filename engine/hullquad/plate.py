@@ -141,7 +141,8 @@ class Plate:
     fixed: Floats = attrs.field(factory=lambda: np.empty((0, 2)), converter=floats)
     """(K, 2) further fixed points."""
     divisions: tuple[tuple[int, ...], ...] = ()
-    """For each loop (outer, holes) the wished number of segments of each edge of the document; () where none is."""
+    """For each loop (outer, holes) the wished number of segments of each edge of the document; 0 for an edge that is
+    divided by size, () where all are."""
     target_size: float
     """[mm]"""
     sizes: Sizes
@@ -167,6 +168,16 @@ class Plate:
     def is_plane(self) -> bool:
         """True when the plate is flat."""
         return isinstance(self.surface, Plane)
+
+    def with_division(self, loop: int, edge: int, number: int) -> "Plate":
+        """The same plate with a number of segments of an edge (by its number in the document); 0 for by size."""
+        given = self.divisions or ((),) * len(self.loops)
+        rows = [list(row or [0] * len(known.curves)) for row, known in zip(given, self.loops, strict=True)]
+        rows[loop][edge] = number
+        kept = [tuple(row) if any(row) else () for row in rows]
+        # a document lists the holes together, or none
+        holes = [row or (0,) * len(known.curves) for row, known in zip(kept[1:], self.holes, strict=True)]
+        return attrs.evolve(self, divisions=(kept[0], *(holes if any(kept[1:]) else kept[1:])))
 
     @property
     def least_length(self) -> float:
@@ -278,6 +289,10 @@ class Document:
     def plate(self, plate_id: str) -> Plate:
         """Plate of that id."""
         return next(plate for plate in self.plates if plate.id == plate_id)
+
+    def with_plate(self, plate: Plate) -> "Document":
+        """The same document with a plate in the place of the one of its id."""
+        return attrs.evolve(self, plates=tuple(plate if known.id == plate.id else known for known in self.plates))
 
 
 def closed_loop(curves: list[Curve], place: str, *, is_hole: bool) -> Loop:

@@ -3,6 +3,8 @@
 SENTENCES: dict[str, str] = {
     # metrics and optimisation
     "E_METRIC": "there is no metric of this name; the metrics are {known}",
+    "E_OBJECTIVE": "the sum of this metric tells nothing about a mesh; choose another metric to optimise by",
+    "E_OBJECTIVE:weight": "the weight {found} is no number above 0; write KEY=WEIGHT, for example stretch=2",
     "E_PLATE": "there is no plate {id} in the document; its plates are {known}",
     "E_CURVED": "curved surfaces: not yet; mesh the plane plates of the document",
     "E_CURVED:optimize": "the mesh is not flat, and curved surfaces: not yet; optimise plane plates only",
@@ -221,8 +223,19 @@ SENTENCES: dict[str, str] = {
     "{count} of this loop; the elements there will be small",
     "W_SMALL_HOLE": "the hole is {width:.4g} mm wide, less than the element size ({size:g} mm); the elements around it "
     "will be small: leave it out, or choose a smaller size",
-    "W_ODD": "the contour has {count} edges with segments of {size:g} mm, an odd number: one triangle is unavoidable; "
-    "change the division of one edge by one",
+    "W_ODD": "odd number of contour edges: {count} with segments of {size:g} mm; one triangle is unavoidable, one node "
+    "more or fewer on an edge makes it none",
+    "W_ODD:edge": "odd number of contour edges: {count} with segments of {size:g} mm; one triangle is unavoidable, one "
+    "node more or fewer on an edge makes it none, best {number} segments instead of {before} at {where}",
+    "W_ODD:shared": "odd number of contour edges: {count} with segments of {size:g} mm; one triangle is unavoidable, "
+    "one node more or fewer on an edge makes it none, best {number} segments instead of {before} at {where}, which "
+    "other plates have too",
+    "W_SIZE": "elements of {size:g} mm are larger than the plate, whose extent is {extent:.4g} mm: its edges will have "
+    "one segment each; only sizes below that make a difference",
+    "W_LIGAMENT:contour": "the strip of {width:.3g} mm between the hole and the outer contour at ({u:.7g}, {v:.7g}) is "
+    "too narrow for elements of {size:g} mm; choose {helping:.4g} mm or less, or larger numbers of divisions there",
+    "W_LIGAMENT:hole": "the strip of {width:.3g} mm to hole {hole} at ({u:.7g}, {v:.7g}) is too narrow for elements of "
+    "{size:g} mm; choose {helping:.4g} mm or less, or larger numbers of divisions there",
     "W_SNAP:neighbour": "the node was moved by {distance:.2g} mm to ({u:.7g}, {v:.7g}), where plate {neighbour} has "
     "it; correct the one or the other if that is not meant",
     "W_GAP": "the edge lies {distance:.3g} mm beside plate {neighbour} and is not joined to it, as only gaps up to "

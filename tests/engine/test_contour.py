@@ -13,7 +13,7 @@ from hullquad.errors import PlateError
 from hullquad.formats.hullplate.defects import defects
 from hullquad.plate import Document, Line, Plate, Sizes, closed_loop
 from hullquad.surface import Plane
-from hullquad.triangulation.concerns import division_concerns
+from hullquad.triangulation.concerns import division_concerns, size_concerns
 from hullquad.triangulation.contour import attempts, contours, elements_needed, refuse_size
 
 RECTANGLE = [(0, 0), (2000, 0), (2000, 1000), (0, 1000)]
@@ -236,6 +236,41 @@ def test_chords_that_cut_a_neighbouring_hole_are_refused_with_a_size_that_helps(
         contour(outer=outer, holes=[near_the_arc], size=5000)
     assert (caught.value.code, caught.value.place) == ("E_COARSE", "/plates/0/holes/0")
     assert contour(outer=outer, holes=[near_the_arc], size=caught.value.numbers["helping"])
+
+
+def test_the_size_that_helps_is_about_the_largest():
+    outer = [Arc((0, 0), (2000, 0), 0.5), *straight([(2000, 0), (2000, 1000), (0, 1000), (0, 0)])[:3]]
+    described = {"outer": outer, "holes": [circle(500, -300, 50)]}
+    with pytest.raises(PlateError) as caught:
+        contour(**described, size=5000)
+    helping = caught.value.numbers["helping"]
+    assert f"{helping:.4g} mm helps" in caught.value.text
+    contour(**described, size=helping)
+    with pytest.raises(PlateError):
+        contour(**described, size=1.15 * helping)
+
+
+@given(st.floats(1.5, 90), st.floats(50, 1000), st.booleans())
+@settings(max_examples=40, deadline=None)
+def test_strips_too_narrow_for_any_element_are_told_with_a_size_that_helps(width, size, beside_hole):
+    square = straight([(1000, 400), (1000, 600), (1200, 600), (1200, 400)])
+    other = straight([(1200 + width, 300), (1200 + width, 700), (1500, 700), (1500, 300)])
+    top = 1000 if beside_hole else 600 + width
+    outer = straight([(0, 0), (2000, 0), (2000, top), (0, top)])
+    described = plate(outer=outer, holes=[square, other] if beside_hole else [square])
+    found = [notice for notice in size_concerns(described, size) if notice.code == "W_LIGAMENT"]
+    assert [notice.case for notice in found] == (["hole" if beside_hole else "contour"] if width <= 0.2 * size else [])
+    for notice in found:
+        assert notice.numbers["width"] == pytest.approx(width)
+        helping = notice.numbers["helping"]
+        assert not [n for n in size_concerns(described, 0.999 * helping) if n.code == "W_LIGAMENT"]
+        assert f"choose {helping:.4g} mm or less" in notice.text
+
+
+def test_a_size_larger_than_the_plate_is_told_with_the_plates_own():
+    (notice,) = [n for n in size_concerns(plate(), 2500.0) if n.code == "W_SIZE"]
+    assert "extent is 2000 mm" in notice.text
+    assert "W_SIZE" not in {n.code for n in size_concerns(plate(), 2000.0)}
 
 
 def test_chords_that_leave_a_fixed_node_outside_are_refused():

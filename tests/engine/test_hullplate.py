@@ -509,6 +509,28 @@ def test_a_sound_plate_has_no_warnings(described, tmp_path):
     assert [str(notice) for notice in read(described, tmp_path).warnings] == []
 
 
+def test_an_edge_may_be_left_to_the_size(described, tmp_path):
+    described["plates"][0]["divisions"]["outer"] = [None, 7, None, 7]
+    (plate,) = read(described, tmp_path).plates
+    assert plate.divisions[0] == (0, 7, 0, 7)
+
+
+def test_an_odd_contour_is_told_with_the_edge_that_mends_it(described, tmp_path):
+    described["plates"][0]["divisions"]["outer"] = [11, 5, 10, 5]
+    (notice,) = [notice for notice in read(described, tmp_path).warnings if notice.code == "W_ODD"]
+    assert "one node more or fewer on an edge makes it none" in notice.text
+    assert "best 3 segments instead of 2 at /plates/0/holes/1/1" in notice.text
+
+
+def test_two_plates_that_ask_for_other_numbers_of_one_edge_are_refused(described, tmp_path):
+    above = copy.deepcopy(described["plates"][0]) | {"id": "P2"}
+    above["frame"]["origin"] = [0, 1000, 0]
+    above["divisions"]["outer"] = [8, 5, 10, 5]
+    described["plates"].append(above)
+    error = refusal(described, tmp_path)
+    assert (error.code, error.place) == ("E_DIVISIONS", "/plates/1/divisions/outer/0")
+
+
 def test_ten_thousand_vertices_take_seconds(described, tmp_path):
     angles = np.linspace(0, 2 * np.pi, 10_000, endpoint=False)
     wavy = 20_000 + 100 * np.sin(300 * angles)

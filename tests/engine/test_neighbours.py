@@ -18,9 +18,12 @@ from hullquad.plate import Document, Line, Plate, Sizes, closed_loop
 from hullquad.surface import Plane
 from hullquad.triangulation.concerns import division_concerns, gap_concerns
 from hullquad.triangulation.contour import Contour, attempts, contours
+from hullquad.triangulation.edges import edge_counts, redivided, remedied, remedy
 from hullquad.triangulation.neighbours import neighbours
 
-BLOCK = read_plates(Path(__file__).parents[2] / "assets" / "plates" / "hopper_block.json")
+PLATES = Path(__file__).parents[2] / "assets" / "plates"
+SAMPLES = [read_plates(path) for path in sorted(PLATES.glob("*.json"))]
+BLOCK = next(sample for sample in SAMPLES if sample.name == "hopper_block")
 X, Y, Z = np.eye(3)
 FAR = np.array([1e5, -2e5, 5e4])
 
@@ -318,3 +321,91 @@ def test_short_edges_of_neighbours_are_not_melted_together():
     found = contours(document(one, other))
     assert found["A"].points.tobytes() == found["B"].points.tobytes()
     assert_conforming(found)
+
+
+def odd(described, size=None):
+    return {key for key, contour in contours(described, size).items() if contour.triangles_unavoidable}
+
+
+@pytest.mark.parametrize("size", ["coarse", "fine", 171.0])
+@pytest.mark.parametrize("described", SAMPLES, ids=lambda described: described.name)
+def test_a_remedy_makes_a_contour_even_and_keeps_what_it_promises(described, size):
+    before = odd(described, size)
+    for key in before:
+        change = remedy(described, key, size)
+        after = odd(remedied(described, change), size)
+        assert key not in after
+        assert len(after) - len(before) == change.odd
+        assert before ^ after <= {key, *change.neighbours}
+
+
+@given(boxes())
+@settings(max_examples=25, deadline=None)
+def test_a_remedy_in_a_box_divides_the_neighbours_too(plates):
+    described = document(*plates)
+    before = odd(described)
+    for key in sorted(before)[:2]:
+        change = remedy(described, key)
+        mended = remedied(described, change)
+        found = contours(mended)
+        assert key not in odd(mended)
+        assert len(odd(mended)) - len(before) == change.odd
+        assert edge_counts(mended, key)[change.loop][change.edge] == change.number == change.before + 1 or (
+            change.number == change.before - 1
+        )
+        assert_conforming(found)
+
+
+def test_an_even_contour_needs_no_remedy():
+    assert remedy(document(plate("A", rectangle(1000, 500), (0 * X, X, Y))), "A") is None
+
+
+def test_of_two_odd_neighbours_the_common_edge_is_changed():
+    one = plate("A", rectangle(1000, 500), (0 * X, X, Z), divisions=((0, 1, 3, 1),))
+    other = plate("B", rectangle(1000, 500), (0 * X, X, Y), divisions=((0, 1, 3, 1),))
+    change = remedy(document(one, other), "A")
+    assert (change.edge, change.neighbours, change.odd) == (0, ("B",), -2)
+    assert not odd(remedied(document(one, other), change))
+
+
+def test_the_edge_whose_segments_stay_nearest_to_the_size_is_chosen():
+    alone = plate("A", rectangle(2000, 700), (0 * X, X, Y), size=100.0, divisions=((20, 7, 21, 7),))
+    change = remedy(document(alone), "A")
+    assert (change.loop, change.edge, change.number) == (0, 2, 20)
+
+
+def test_an_edge_of_the_document_keeps_its_number_whichever_way_the_loop_runs():
+    for corners in (rectangle(2000, 700), rectangle(2000, 700)[::-1]):
+        described = redivided(document(plate("A", corners, (0 * X, X, Y), size=100.0)), "A", 0, 0, 5)
+        assert edge_counts(described, "A")[0][0] == 5
+        assert sum(edge_counts(described, "A")[0]) == contours(described)["A"].edge_count
+        assert sorted(described.plates[0].divisions[0]) == [0, 0, 0, 5]
+
+
+def test_numbers_of_the_neighbours_follow_an_edit():
+    one = plate("A", rectangle(1000, 500), (0 * X, X, Z), divisions=((3, 1, 3, 1),))
+    other = plate("B", rectangle(2000, 500), (0 * X, X, Y), divisions=((6, 1, 6, 1),))
+    described = redivided(document(one, other), "A", 0, 0, 5)
+    assert [plate.divisions[0][0] for plate in described.plates] == [5, 8]
+    assert_conforming(contours(described))
+
+
+def test_an_edit_of_a_hole_leaves_the_other_holes_to_the_size():
+    holes = [rectangle(100, 100, 200, 200), rectangle(100, 100, 500, 200)]
+    described = document(plate("A", rectangle(1000, 500), (0 * X, X, Y), holes=[straight(hole) for hole in holes]))
+    edited = redivided(described, "A", 2, 1, 3)
+    assert edited.plates[0].divisions == ((), (0, 0, 0, 0), (0, 3, 0, 0))
+    assert edge_counts(edited, "A") == ((2, 1, 2, 1), (1, 1, 1, 1), (1, 3, 1, 1))
+    assert redivided(edited, "A", 2, 1, 0).plates[0].divisions == ((), (), ())
+    assert described.plates[0].divisions == ()
+
+
+def test_a_block_can_be_made_even_plate_by_plate():
+    described = redivided(BLOCK, "F0", 0, 1, 4)
+    while remaining := sorted(odd(described, "coarse")):
+        change = remedy(described, remaining[0], "coarse")
+        assert change.odd <= 0
+        described = remedied(described, change)
+        if change.odd == 0:
+            break
+    assert np.all([count > 0 for row in edge_counts(described, "F0", "coarse") for count in row])

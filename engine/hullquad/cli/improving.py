@@ -18,9 +18,9 @@ from hullquad.mesh import Mesh
 from hullquad.metrics import metric
 from hullquad.optimization.iterate import Iterate, Outcome
 from hullquad.placement import placed, unplaced
-from hullquad.plate import Document, Notice, Plate, Refusal
+from hullquad.plate import Document, Plate, Refusal
 from hullquad.quality import quality
-from hullquad.triangulation.concerns import division_concerns
+from hullquad.triangulation.concerns import concerns_of
 from hullquad.triangulation.contour import Contour, attempts
 
 _Outcomes = dict[str, Contour | PlateError]
@@ -36,7 +36,7 @@ def mesh_plates(options: Namespace) -> bool:
         complain(refusal.error.concerning(refusal.plate_id))
     contours = attempts(document, options.size)
     for plate in plates:
-        _warn(document.warnings, plate, contours.get(plate.id))
+        _warn(document, options.size, plate, contours.get(plate.id))
     is_alone = options.plate is not None or len(document.plates) + len(refusals) == 1
     results = _results(plates, contours, document.input_hash, options, is_alone=is_alone)
     if options.json and not is_alone:
@@ -156,12 +156,12 @@ def _chosen(
     return plates, refused
 
 
-def _warn(notices: Sequence[Notice], plate: Plate, contour: Contour | PlateError | None) -> None:
+def _warn(document: Document, size: float | str | None, plate: Plate, contour: Contour | PlateError | None) -> None:
     """Tell of what the document says of a plate, and of what its contour is like."""
-    for notice in notices:
+    for notice in document.warnings:
         if notice.place == plate.place or notice.place.startswith(plate.place + "/"):
             warn(notice)
-    for notice in division_concerns(contour) if isinstance(contour, Contour) else ():
+    for notice in concerns_of(document, size, contour) if isinstance(contour, Contour) else ():
         warn(notice)
 
 

@@ -2,11 +2,13 @@
 
 from collections.abc import Iterator
 
+import attrs
 import numpy as np
 import shapely
 
 from hullquad.plate import JOIN, Document, Loop, Notice, Plate
 from hullquad.triangulation.contour import Contour
+from hullquad.triangulation.edges import edge_place, remedy
 from hullquad.triangulation.gaps import gaps
 from hullquad.triangulation.neighbours import neighbours
 
@@ -14,11 +16,22 @@ _DECIMALS = 1e-3
 """Coordinates in fewer decimals are not exact; a move of so little is none [mm]."""
 _SHORT = 0.2
 _NEAR = 0.1
+_NARROW = 0.2
 """Parts of the element size."""
 
 
+def concerns_of(document: Document, size: float | str | None, contour: Contour) -> Iterator[Notice]:
+    """Warnings about a plate of a document that is meshed from this contour, which was divided for a size."""
+    change = remedy(document, contour.plate.id, size) if contour.triangles_unavoidable else None
+    told = {} if change is None else attrs.asdict(change) | {"where": edge_place(document, change)}
+    case = "" if change is None else "shared" if change.neighbours else "edge"
+    for notice in division_concerns(contour):
+        is_odd = notice.code == "W_ODD"
+        yield attrs.evolve(notice, case=case, numbers=notice.numbers | told) if is_odd else notice
+
+
 def division_concerns(contour: Contour) -> Iterator[Notice]:
-    """Warnings about a plate that is meshed from this contour."""
+    """Those that need no other plate."""
     yield from size_concerns(contour.plate, contour.size)
     if contour.triangles_unavoidable:
         yield Notice("W_ODD", contour.plate.place, "", {"count": contour.edge_count, "size": contour.size})
@@ -30,8 +43,12 @@ def size_concerns(plate: Plate, size: float) -> Iterator[Notice]:
     """Those of the warnings that need no contour, so that curved plates have them too."""
     if plate.is_parametric:
         return  # no lengths before the surface can tell them
+    extent = float(np.ptp(plate.box, axis=0).max())
+    if size > extent:
+        yield Notice("W_SIZE", plate.place, "", {"size": size, "extent": extent})
     for loop in plate.loops:
         yield from _short_edges(loop, _SHORT * size)
+    yield from _ligaments(plate, size)
     for hole, outline in zip(plate.holes, plate.outlines[1:], strict=True):
         width = float(np.ptp(outline, axis=0).max())
         if width < size - 2 * plate.chord_error:
@@ -70,6 +87,19 @@ def _near_contour(contour: Contour) -> Iterator[Notice]:
         u, v = contour.inside[i]
         numbers = {"u": u, "v": v, "distance": float(away[i]), "size": contour.size}
         yield Notice("W_NEAR", contour.inside_places[i], "", numbers)
+
+
+def _ligaments(plate: Plate, size: float) -> Iterator[Notice]:
+    """Strips beside holes that are too narrow for elements of the size."""
+    rim = shapely.linearrings(plate.outlines[0])
+    rings = np.array([rim, *(shapely.linearrings(ring) for ring in plate.outlines[1:])])
+    tree = shapely.STRtree(rings)
+    near = tree.query(rings, predicate="dwithin", distance=_NARROW * size).T
+    for other, hole in sorted((min(pair), max(pair)) for pair in map(tuple, near.tolist()) if pair[0] < pair[1]):
+        width = float(shapely.distance(rings[hole], rings[other]))
+        u, v = shapely.get_coordinates(shapely.shortest_line(rings[hole], rings[other]))[0]
+        numbers = {"width": width, "size": size, "helping": width / _NARROW, "hole": other - 1, "u": u, "v": v}
+        yield Notice("W_LIGAMENT", plate.holes[hole - 1].place, "hole" if other else "contour", numbers)
 
 
 def _short_edges(loop: Loop, least: float) -> Iterator[Notice]:

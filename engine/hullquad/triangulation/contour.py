@@ -21,6 +21,8 @@ __all__ = ["MOST_ELEMENTS", "Contour", "attempts", "contours", "element_size", "
 _CLEARANCE = 0.01
 """Distance that nodes keep from the segments of others, so that the triangulation can tell them apart [mm]."""
 _TRIES = 8
+_HALVINGS = 4
+"""Steps by which a size that helps is approached from below: to a sixteenth."""
 
 
 @attrs.frozen(eq=False, kw_only=True)
@@ -51,7 +53,7 @@ class Contour:
     def lines(self) -> Floats:
         """(L, 2, 3) ends of stiffeners and seams in space, cut by the holes [mm]."""
         ends = self.plate.clipped_lines
-        return floats(self.plate.surface.points(ends.reshape(-1, 2)).reshape(-1, 2, 3))  # type: ignore[union-attr]
+        return floats(self.plate.surface.points(ends.reshape(-1, 2)).reshape(-1, 2, 3))
 
     @property
     def edge_count(self) -> int:
@@ -175,11 +177,25 @@ def _flaw(contour: Contour) -> tuple[str, Floats] | None:
 
 
 def _too_coarse(shared: Neighbours, plate: int, sizes: Sequence[float], flaw: tuple[str, Floats]) -> PlateError:
-    """Error that says which size would do."""
+    """Error that says about the largest size that would do."""
     place, (u, v) = flaw
     size, owner = sizes[plate], shared.frame.plates[plate]
-    finer = [size / 2**i for i in range(1, _TRIES)]
-    for helping in (helping for helping in finer if elements_needed(owner, helping) <= MOST_ELEMENTS):
-        if _flaw(_divided(shared, plate, [*sizes[:plate], helping, *sizes[plate + 1 :]])) is None:
-            return PlateError("E_COARSE", place, u=u, v=v, size=size, helping=helping)
-    return PlateError("E_COARSE", place, "always", u=u, v=v, size=size)
+
+    def helps(finer: float) -> bool:
+        is_small = elements_needed(owner, finer) <= MOST_ELEMENTS
+        return is_small and _flaw(_divided(shared, plate, [*sizes[:plate], finer, *sizes[plate + 1 :]])) is None
+
+    helping = next(filter(helps, (size / 2**i for i in range(1, _TRIES))), None)
+    if helping is None:
+        return PlateError("E_COARSE", place, "always", u=u, v=v, size=size)
+    refused = min(2 * helping, size)
+    for _ in range(_HALVINGS):
+        middle = _rounded_down((helping + refused) / 2)
+        helping, refused = (middle, refused) if middle > helping and helps(middle) else (helping, middle)
+    return PlateError("E_COARSE", place, u=u, v=v, size=size, helping=helping)
+
+
+def _rounded_down(size: float) -> float:
+    """A size in three digits, not above."""
+    digit = 10.0 ** (np.floor(np.log10(size)) - 2)
+    return float(np.floor(size / digit) * digit)

@@ -49,15 +49,18 @@ class Neighbours:
             for strand in self.strands.strands
         )
 
+    def size(self, strand: int, sizes: Sequence[float]) -> float:
+        """Element size of a strand: the least of those of its plates [mm]."""
+        return min(sizes[plate] for plate in self.plates_of[strand])
+
     def count(self, strand: int, sizes: Sequence[float]) -> int:
         """Number of segments of a strand: the wished one, or that of the least size (by plate) [mm]."""
         wished = self.wishes.counts.get(strand)
         if wished:
             return wished
-        size = min(sizes[plate] for plate in self.plates_of[strand])
         on_wires = self.strands.strands[strand].parts
         start, end = lengths(self.joints, *on_wires[0])
-        number = division.equal(end - start, size)
+        number = division.equal(end - start, self.size(strand, sizes))
         for wire, part in on_wires:
             number = division.turning_little(self.frame.wires[wire].curve, *lengths(self.joints, wire, part), number)
         return number

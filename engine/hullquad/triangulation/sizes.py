@@ -56,8 +56,9 @@ def _segments_asked_for(plate: Plate) -> tuple[int, float]:
     count, length = 0, 0.0
     for i, loop in enumerate(plate.loops):
         wishes = plate.divisions[i] if plate.divisions else ()
-        count += sum(wishes) if wishes else len(loop.curves)
-        length += 0.0 if wishes else sum(curve.length for curve in loop.curves)
+        numbers = [wishes[edge] if wishes else 0 for edge in loop.edges]
+        count += sum(number or 1 for number in numbers)
+        length += sum(curve.length for curve, number in zip(loop.curves, numbers, strict=True) if not number)
     return count, length
 
 

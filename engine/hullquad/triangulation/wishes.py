@@ -47,8 +47,9 @@ def _asked(frame: Wireframe) -> Iterator[tuple[int, int]]:
     for number, wire in enumerate(frame.wires):
         plate = frame.plates[wire.plate]
         numbers = plate.divisions[wire.loop] if plate.divisions else ()
-        if numbers:
-            yield number, numbers[plate.loops[wire.loop].edges[wire.edge]]
+        wished = numbers[plate.loops[wire.loop].edges[wire.edge]] if numbers else 0
+        if wished:
+            yield number, wished
 
 
 def _shared_out(

@@ -20,7 +20,7 @@ from hullquad.formats.hullplate.plate_entry import is_id
 from hullquad.formats.hullplate.plate_entry import plate as plate_of
 from hullquad.formats.source import content
 from hullquad.plate import Document, Material, Notice, Plate, Refusal
-from hullquad.triangulation.concerns import division_concerns, gap_concerns, size_concerns
+from hullquad.triangulation.concerns import concerns_of, gap_concerns, size_concerns
 from hullquad.triangulation.contour import attempts
 from hullquad.triangulation.neighbours import neighbours
 
@@ -116,7 +116,7 @@ def _at_target_size(document: Document) -> Iterator[Notice]:
             yield from size_concerns(plate, plate.target_size)
             yield Notice("W_COARSE", outcome.place, outcome.case, outcome.numbers)
         else:
-            yield from division_concerns(outcome)
+            yield from concerns_of(document, None, outcome)
 
 
 def _in_order(findings: Sequence[Finding], positions: Positions) -> tuple[Finding, ...]:

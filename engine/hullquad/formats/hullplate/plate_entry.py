@@ -152,6 +152,8 @@ def _divisions(entry: Entry) -> dict[str, Any]:
 
 
 def _division(entry: Entry) -> int:
+    if entry.value is None:
+        return 0  # by size
     value = number(entry)
     if value != int(value) or not 1 <= value <= _MOST_DIVISIONS:
         raise entry.refused("E_DIVISIONS", shown=entry.shown, most=_MOST_DIVISIONS)
