@@ -22,8 +22,8 @@ def judge(
 ) -> None:  # fmt: skip
     """Values (E, M) and validity (E,) of every element by a program for quads and one for triangles.
 
-    Values are multiplied by `factors` (M,). `invalid` is (2, M, 2): between what the value of an invalid quad, and
-    triangle, is kept.
+    Values of quads, and of triangles, are multiplied by `factors` (2, M). `invalid` is (2, M, 2): between what the
+    value of an invalid one is kept.
     """
     lanes = np.empty(LANES, dtype=np.int64)
     for kind in range(2):
@@ -40,7 +40,7 @@ def judge(
             for k in range(count):
                 row = program.outputs[k]
                 for i in range(filled):
-                    value = factors[k] * rows[row + i]
+                    value = factors[kind, k] * rows[row + i]
                     if not rows[open_row + i] > 0.0:
                         below = value if value < invalid[kind, k, 1] else invalid[kind, k, 1]
                         value = below if below > invalid[kind, k, 0] else invalid[kind, k, 0]

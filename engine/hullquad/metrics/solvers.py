@@ -71,7 +71,7 @@ def patran_triangle_aspect_ratio(element: Element) -> Number:
 def verdict_aspect_ratio(element: Element) -> Number:
     """Longest edge times the sum of the edges over four times the area, of triangles 4√3 times.
 
-    Of the Verdict manual. VTK's AspectRatio takes the area of a warped quad as that of two of its triangles.
+    VTK's AspectRatio.
     """
     longest = root(greatest(element.squares, element.doublings))
     around = root(element.squares[0])

@@ -167,7 +167,9 @@ def _judged(
 ) -> tuple[Floats, Bools]:
     points, elements = floats(points), ints(elements)
     values, valid = np.full((len(elements), len(metrics)), np.nan), np.empty(len(elements), dtype=bool)
-    factors, bounds = floats([metric.factor for metric in metrics]), floats(invalid.reshape(2, len(metrics), 2))
+    judges = metrics, [metric.triangle_metric for metric in metrics]
+    factors = floats([[metric.factor for metric in rows] for rows in judges])
+    bounds = floats(invalid.reshape(2, len(metrics), 2))
     known = _areas(areas, programs, points, elements)
     kernels.judge(*programs, points, elements, floats(normals), known, factors, bounds, values, valid)
     return values, valid
