@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QAbstractSpinBox, QDockWidget, QMainWindow, QScrol
 
 from hullquad_app.canvas import Canvas
 from hullquad_app.colours import ColourMap, Palette
+from hullquad_app.panels.element import ElementPanel
 from hullquad_app.panels.meshing import MeshingPanel
 from hullquad_app.panels.objective import ObjectivePanel
 from hullquad_app.panels.plates import PlatesPanel
@@ -20,6 +21,7 @@ _WIDTH = 66
 """Of the column of panels, in letters."""
 _HEIGHTS = {"quality": 36, "objective": 25, "worst": 39}
 """Shares of the column."""
+_WHEN_INSPECTING = {"quality": 30, "element": 42, "worst": 28}
 
 
 class Docks(QObject):
@@ -30,12 +32,23 @@ class Docks(QObject):
         self._window = window
         self.quality, self.objective, self.worst = QualityPanel(), ObjectivePanel(), WorstPanel()
         self.meshing, self.search, self.plates = MeshingPanel(), SearchPanel(), PlatesPanel()
-        self.rules = RulesPanel()
+        self.rules, self.element = RulesPanel(), ElementPanel()
+        self._panels = (
+            self.quality,
+            self.objective,
+            self.element,
+            self.worst,
+            self.rules,
+            self.meshing,
+            self.search,
+            self.plates,
+        )
         self._docks = {
             name: self._dock(name, title, panel)
             for name, title, panel in (
                 ("quality", self.tr("Quality distribution"), self.quality),
                 ("objective", self.tr("Objective history"), self.objective),
+                ("element", self.tr("Element"), self.element),
                 ("search", self.tr("Search settings"), self.search),
                 ("worst", self.tr("Worst elements"), self.worst),
                 ("rules", self.tr("Rules"), self.rules),
@@ -51,6 +64,7 @@ class Docks(QObject):
         for name in ("quality", "objective", "worst"):
             self._window.addDockWidget(column, self._docks[name])
         for name, neighbour in (
+            ("element", "objective"),
             ("search", "objective"),
             ("rules", "worst"),
             ("meshing", "worst"),
@@ -64,13 +78,12 @@ class Docks(QObject):
         """Give the column of panels its width and its parts their heights; Qt does so only when it is shown."""
         width = self._window.fontMetrics().averageCharWidth() * _WIDTH
         self._window.resizeDocks([self._docks["quality"]], [width], Qt.Orientation.Horizontal)
-        column = [self._docks[name] for name in _HEIGHTS]
-        self._window.resizeDocks(column, list(_HEIGHTS.values()), Qt.Orientation.Vertical)
+        self._share(_HEIGHTS)
 
     def show_scene(self, scene: Scene) -> None:
         """Show a scene on every panel, and bring up the one that is of use with it."""
         before, self._shown = self._shown, scene
-        for panel in (self.quality, self.objective, self.worst, self.rules, self.meshing, self.search, self.plates):
+        for panel in self._panels:
             panel.show_scene(scene)
         if scene.view.rules is not before.view.rules:
             self._docks["worst" if scene.view.rules is None else "rules"].raise_()
@@ -82,10 +95,23 @@ class Docks(QObject):
 
     def set_palette(self, palette: Palette, chosen: ColourMap) -> None:
         """Take the colours of a theme, and the map by which elements are coloured."""
-        for panel in (self.quality, self.objective, self.worst, self.rules, self.plates):
+        for panel in (self.quality, self.objective, self.element, self.worst, self.rules, self.plates):
             panel.set_palette(palette, chosen)
         for form in (self.meshing, self.search):
             form.set_palette(palette)
+
+    def inspect(self) -> None:
+        """Bring up the element inspector, with room for its table."""
+        dock = self._docks["element"]
+        if dock.isVisible() and not dock.visibleRegion().isEmpty():
+            return
+        dock.show()
+        dock.raise_()
+        self._share(_WHEN_INSPECTING)
+
+    def _share(self, heights: dict[str, int]) -> None:
+        docks = [self._docks[name] for name in heights]
+        self._window.resizeDocks(docks, list(heights.values()), Qt.Orientation.Vertical)
 
     def connect_to(self, session: Session, canvas: Canvas) -> None:
         """Pass on what the user wants in the panels."""
@@ -95,6 +121,9 @@ class Docks(QObject):
         for panel in (self.quality, self.worst, self.rules):
             panel.selected.connect(lambda rows, extend: session.select(rows, extend=extend))
         self.rules.zoom_wanted.connect(canvas.zoom_to)
+        self.element.metric_wanted.connect(session.choose_metric)
+        self._docks["element"].visibilityChanged.connect(canvas.inspect)
+        canvas.opened.connect(self.inspect)
         self.worst.selected.connect(lambda rows, _: canvas.reveal(rows))
         self.worst.zoom_wanted.connect(lambda row: canvas.zoom_to({row}))
         self.objective.position_chosen.connect(session.scrub)

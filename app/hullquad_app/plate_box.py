@@ -5,7 +5,7 @@ from PySide6.QtWidgets import QComboBox, QSizePolicy
 
 from hullquad_app.scene import Scene
 
-_SHORTEST, _LONGEST = 10, 44
+_SHORTEST, _LONGEST = 8, 44
 """Letters of a plate's name that the box has room for at least and at most; the whole is in its tooltip."""
 
 

@@ -12,7 +12,7 @@ METRIC, OTHER = "", "…"
 """Data of the rows that are no rule sets."""
 _SOLVERS = ("msc_nastran", "autodesk_nastran", "optistruct", "ansys", "abaqus")
 _PAPER = "table_1"
-_LETTERS = 11
+_LETTERS = 10
 """Width of the box; the whole name is in its tooltip."""
 
 

@@ -1,6 +1,7 @@
 """What is open, how it is looked at, and what is on the screen then: values that never change."""
 
 from collections.abc import Mapping
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -19,6 +20,7 @@ from hullquad_app.verdict import Verdict, verdict
 
 if TYPE_CHECKING:
     from hullquad.rules import Assessment, RuleSet
+    from hullquad_app.inspection import Inspection
 
 
 @attrs.frozen(eq=False, kw_only=True)
@@ -105,6 +107,16 @@ class Scene:
     def given(self) -> Bools | None:
         """(E,) which elements fail by the metric because of the contour: no node that may move can mend them."""
         return None if self.verdict is None else self.verdict.given
+
+    @cached_property
+    def inspection(self) -> "Inspection | None":
+        """The selected element; None where none is, or several are."""
+        if self.mesh is None or len(self.view.selection) != 1:
+            return None
+        from hullquad_app.inspection import Inspection  # noqa: PLC0415  an empty window does not wait for it
+
+        (row,) = self.view.selection
+        return Inspection(mesh=self.mesh, row=row, metric=self.view.metric, bands=self.view.bands)
 
     @property
     def assessment(self) -> "Assessment | None":

@@ -12,7 +12,7 @@ from hullquad_app.plate_box import PlateBox
 from hullquad_app.rules_box import RulesBox
 from hullquad_app.scene import Scene
 
-_LETTERS = 11
+_LETTERS = 10
 """Width of the box of metrics; the whole title is in its tooltip."""
 
 

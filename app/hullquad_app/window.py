@@ -156,6 +156,7 @@ class MainWindow(QMainWindow):
             "judging": self.session.judging,
             "judging_files": self.judging_files,
             "canvas": self.canvas,
+            "docks": self.docks,
             "worst": self.docks.worst,
             "mesh_button": self.docks.meshing.one,
             "mesh_all_button": self.docks.meshing.all_plates,
@@ -225,6 +226,7 @@ class MainWindow(QMainWindow):
         self._live.follow(self.canvas)
         self._live.follow(self.docks.quality, self.choices, self.history, self.status)
         self._live.follow(self.docks.objective, self.docks.search, seldom=True)
+        self._live.follow(self.docks.rules, self.docks.element, seldom=True)
         self._live.follow(self.docks.worst, self.docks.meshing, self.docks.plates, seldom=True)
         self.docks.connect_to(session, self.canvas)
         for box in (*self.choices.limits.boxes, *self.docks.number_boxes()):

@@ -73,4 +73,4 @@ def test_a_tip_names_kind_metric_and_failure(give, coarse, folded):
     assert tip(coarse.topology, quality, triangle).startswith(f"element {triangle + 1} · triangle · shape 0.")
     bad = give(folded).quality
     inverted = int(np.flatnonzero(~bad.valid)[0])
-    assert tip(folded.topology, bad, inverted) == f"element {inverted + 1} · quad · inverted · FAIL"
+    assert tip(folded.topology, bad, inverted) == f"element {inverted + 1} · quad · INVERTED"

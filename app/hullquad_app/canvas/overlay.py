@@ -7,8 +7,12 @@ from PySide6.QtWidgets import QWidget
 
 from hullquad.arrays import Floats
 from hullquad_app.canvas.camera import Camera
+from hullquad_app.canvas.dimensions import Sheet, draw_dimensions
+from hullquad_app.canvas.legend import draw_legend
 from hullquad_app.canvas.ruler import nice_length, written
 from hullquad_app.colours import LIGHT, Palette
+from hullquad_app.inspection import Inspection
+from hullquad_app.level_legend import Entry
 
 _SOLID, _FLAT = Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -27,6 +31,8 @@ class Overlay(QWidget):
         self._cursor = QPointF()
         self._hovered: Floats | None = None
         self._loops: list[Floats] = []
+        self._legend: tuple[str, list[Entry]] = ("", [])
+        self._inspection: Inspection | None = None
 
     def set_palette(self, palette: Palette) -> None:
         """Take the colours of a theme."""
@@ -50,6 +56,18 @@ class Overlay(QWidget):
             self._loops = loops
             self.update()
 
+    def set_legend(self, title: str, rows: list[Entry]) -> None:
+        """Say what the colours mean; no rows where another legend does."""
+        if (title, rows) != self._legend:
+            self._legend = (title, rows)
+            self.update()
+
+    def set_inspection(self, inspection: Inspection | None) -> None:
+        """Write lengths and angles at an element."""
+        if inspection is not self._inspection:
+            self._inspection = inspection
+            self.update()
+
     def hover(self, tip: str, cursor: QPointF, corners: Floats | None) -> None:
         """Outline an element, its `corners` (K, 3) in space, and say something of it beside the cursor."""
         if tip or self.tip:
@@ -65,6 +83,9 @@ class Overlay(QWidget):
             self._paint_hovered(painter, self.camera)
             self._paint_axes(painter, self.camera)
             self._paint_bar(painter, self.camera.pixel)
+            self._paint_inspection(painter, self.camera)
+            corner = QPointF(self.fontMetrics().height(), self.fontMetrics().height())
+            draw_legend(painter, self.palette_shown, corner, *self._legend)
         self._paint_notice(painter)
         self._paint_tip(painter)
         painter.end()
@@ -88,6 +109,11 @@ class Overlay(QWidget):
         painter.setPen(QPen(QColor(self.palette_shown.hover), 2.5, _SOLID, _FLAT, Qt.PenJoinStyle.RoundJoin))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawPolygon(self._polygon(camera, self._hovered))
+
+    def _paint_inspection(self, painter: QPainter, camera: Camera) -> None:
+        if self._inspection is not None:
+            outline = self._polygon(camera, self._inspection.anatomy.corners).toList()
+            draw_dimensions(Sheet(painter, self.palette_shown, QRectF(self.rect())), outline, self._inspection)
 
     def _paint_bar(self, painter: QPainter, pixel: float) -> None:
         letter = self.fontMetrics().height()

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QWidget
 
 from hullquad.arrays import Floats, floats
 from hullquad.sight import plan
+from hullquad_app.canvas.legend import legend_of
 from hullquad_app.canvas.overlay import Overlay
 from hullquad_app.canvas.picker import Picker, corners, nodes_of
 from hullquad_app.canvas.pointer import Pointer
@@ -45,6 +46,8 @@ class Canvas(QWidget):
 
     picked = Signal(int, bool)
     """Emitted with the row of a clicked element, and whether it is to extend the selection."""
+    opened = Signal(int)
+    """Emitted with the row of an element that was clicked twice."""
     missed = Signal()
     """Emitted by a click where no element is."""
     hovered = Signal(int)
@@ -71,7 +74,7 @@ class Canvas(QWidget):
         self._palette, self._map, self._shows_edges = LIGHT, BROKEN, True
         self._picker, self._pointer = Picker(), Pointer()
         self._cursor: QPointF | None = None
-        self._row = -1
+        self._row, self._inspects = -1, False
         self.set_palette(LIGHT)
 
     def start(self) -> None:
@@ -115,6 +118,8 @@ class Canvas(QWidget):
         self.stage.show(scene)
         self.viewpoint.points = self.stage.points
         self.overlay.set_loops(self.stage.loops)
+        self.overlay.set_legend(*legend_of(scene))
+        self.overlay.set_inspection(scene.inspection if self._inspects else None)
         subject = self._subject_of(scene)
         if any(one is not other for one, other in zip(subject, self._subject or (None, None), strict=True)):
             self._subject = subject
@@ -161,6 +166,11 @@ class Canvas(QWidget):
         """Draw edges of elements, or leave them out."""
         self.show_edges(not self._shows_edges)
 
+    def inspect(self, wanted: bool) -> None:
+        """Write lengths and angles at the selected element, or leave them out."""
+        self._inspects = wanted
+        self.overlay.set_inspection(self._scene.inspection if wanted else None)
+
     def fit(self) -> None:
         """Show the whole plate."""
         self.viewpoint.fit()
@@ -200,6 +210,12 @@ class Canvas(QWidget):
                 self.missed.emit()
             else:
                 self.picked.emit(row, self._pointer.extends)
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        """Look into what was clicked twice."""
+        row = self._row_at(event.position())
+        if row >= 0 and event.button() == Qt.MouseButton.LeftButton:
+            self.opened.emit(row)
 
     def wheelEvent(self, event: QWheelEvent) -> None:
         """Enlarge at the cursor."""
