@@ -25,6 +25,7 @@ SENTENCES: dict[str, str] = {
     "E_SUFFIX:read_plates": "no plates are read from files with the ending {suffix}, only from {known}",
     "E_SUFFIX:picture": "no picture is written to files with the ending {suffix}, only to {known}",
     "E_SUFFIX:survey_plates": "no plates are read from files with the ending {suffix}, only from {known}",
+    "E_SUFFIX:write_plates": "no plates are written to files with the ending {suffix}, only to {known}",
     "E_SUFFIX:write_mesh": "no mesh is written to files with the ending {suffix}, only to {known}",
     # meshes
     "E_EMPTY_MESH": "the mesh has no elements; there is nothing to judge or improve",

@@ -5,13 +5,11 @@ from time import monotonic
 
 import numpy as np
 
-from hullquad.arrays import Floats, floats
+from hullquad.arrays import Floats
 from hullquad.mesh import Mesh
 from hullquad.optimization import descent
 from hullquad.optimization.energy import Elements, Energy, energy_at
 from hullquad.optimization.problem import Problem
-from hullquad.optimization.rollback import held_back
-from hullquad.optimization.winslow import folding
 
 
 class Course:
@@ -30,13 +28,8 @@ class Course:
     def __init__(self, given: Problem, iterations: int, seconds: float, stride: int) -> None:
         self.problem = given
         self.number = 0
-        self.status = descent.GOING_ON
-        """How the last stage ended: GOING_ON when iterations or time were used up before."""
-        self._tangents, normals = given.directions(given.points)
-        self.elements = Elements(given.quads, given.triangles, normals)
-        self._run = descent.descent(given.points, given.movable)
-        self._on_surface = given.points
-        """Where the nodes were when they were brought back last."""
+        self._tangents, self.elements = _directions(given, given.points)
+        self._run = descent.descent(given.points, given.movable, len(given.quads) + len(given.triangles))
         self._iterations, self._stride = iterations, stride
         self._deadline = monotonic() + seconds
 
@@ -55,22 +48,19 @@ class Course:
         """Whether no iteration is left, or no time."""
         return self.number >= self._iterations or self.is_out_of_time
 
-    @property
-    def folded(self) -> tuple[int, float]:
-        """Number of elements that are not open, and the least Jacobian [element size squared]."""
-        return folding(self.points, *self.elements, self.problem.size)
-
     def mesh(self) -> Mesh:
         """The mesh as it is now."""
         return self.problem.mesh_at(self.points)
 
-    def place(self, points: Floats) -> None:
-        """Put the nodes elsewhere."""
-        self._run.points[:] = points
-
     def value(self, energy: Energy) -> float:
         """An energy where the nodes are now."""
-        return energy_at(self.points, self.elements, energy, np.empty_like(self.points))
+        return self.look(energy)[0]
+
+    def look(self, energy: Energy) -> tuple[float, Floats]:
+        """An energy where the nodes are now, and the openness (Q + T,) of the elements."""
+        openness = np.empty(len(self._run.openness))
+        value, _ = energy_at(self.points, self.elements, energy, openness, openness, np.empty_like(self.points))
+        return value, openness
 
     def stage(self, energy: Energy, most: int, gain: float) -> Iterator[int]:
         """Make an energy smaller; yields the number of the iteration after each stride.
@@ -79,29 +69,39 @@ class Course:
         """
         left, made = most, 0
         before = descent.begin(self._run, self._tangents, self.elements, energy)
-        self.status = descent.GOING_ON
-        while left > 0 and self.status == descent.GOING_ON and not self.is_complete:
+        status = descent.GOING_ON
+        while left > 0 and status == descent.GOING_ON and not self.is_complete:
             count = min(self._stride, left, self._iterations - self.number)
-            self.status = descent.iterate(self._run, self._tangents, self.elements, energy, count, gain)
+            place = self.points.copy() if self.problem.surface is not None else None
+            status = descent.iterate(self._run, self._tangents, self.elements, energy, count, gain)
             done = int(self._run.counts[1]) - made
             made, left, self.number = made + done, left - done, self.number + done
-            if done and self.problem.surface is not None:
-                value, made = self._settled(energy), 0
-                self.status = descent.CONVERGED if before - value < gain * done else self.status
+            if done and place is not None:
+                value, made = self._brought_back(energy, place), 0
+                status = descent.CONVERGED if before - value < gain * done else status
                 before = value
             if done:
                 yield self.number
 
-    def _settled(self, energy: Energy) -> float:
+    def _brought_back(self, energy: Energy, place: Floats) -> float:
         """Bring the nodes back onto the surface and begin anew from there; the energy then.
 
-        Nodes of elements that would be folded by it go back to where they were brought last.
+        Nodes of elements that would be folded by it go back to their `place` on the surface before.
         """
-        surface, movable = self.problem.surface, self.problem.movable
+        surface, movable, run = self.problem.surface, self.problem.movable, self._run
         assert surface is not None  # nodes cannot leave a plane
-        self.points[:movable] = surface.feet(self.points[:movable])[0]
-        held_back(self._on_surface, self.points, self.elements, 0.0, 0, np.ones(movable))
-        self._on_surface = floats(self.points.copy())
-        self._tangents, normals = self.problem.directions(self.points)
-        self.elements = self.elements._replace(normals=normals)
-        return descent.begin(self._run, self._tangents, self.elements, energy)
+        run.trial[:] = place
+        run.trial[:movable] = surface.feet(self.points[:movable])[0]
+        run.points[:] = place
+        descent.settle(run, self.elements, energy._replace(guard=0.0), 0)
+        run.points[:] = run.trial
+        self._tangents, self.elements = _directions(self.problem, self.points)
+        return descent.begin(run, self._tangents, self.elements, energy)
+
+
+def _directions(given: Problem, points: Floats) -> tuple[Floats, Elements]:
+    """What nodes may move along, and the elements with what they must face."""
+    tangents, normals = given.directions(points)
+    quads = len(given.quads)
+    of_quads, of_triangles = (normals, normals) if len(normals) == 1 else (normals[:quads], normals[quads:])
+    return tangents, Elements(given.quads, given.triangles, of_quads, of_triangles)

@@ -12,7 +12,7 @@ import numpy as np
 from hullquad.arrays import Floats, Longs
 from hullquad.metrics.compiled import compiled
 from hullquad.optimization.energy import Elements, Energy, energy_at
-from hullquad.optimization.rollback import HALVINGS, held_back
+from hullquad.optimization.rollback import HALVINGS, ROUNDS, hold_back
 
 PAIRS = 7
 """Steps that are remembered."""
@@ -49,14 +49,18 @@ class Descent(NamedTuple):
     """(PAIRS,)"""
     shares: Floats
     """(M,) part of its step that a node keeps."""
+    openness: Floats
+    """(Q + T,) of the elements at the present iterate."""
+    trial_openness: Floats
+    """(Q + T,)"""
     values: Floats
     """(LOOK_BACK + 1,) the last energies, the newest at `counts[1] % (LOOK_BACK + 1)`."""
     counts: Longs
     """(3,) pairs in use, iterations since the start, pairs ever kept."""
 
 
-def descent(points: Floats, movable: int) -> Descent:
-    """A minimisation that has not begun."""
+def descent(points: Floats, movable: int, elements: int) -> Descent:
+    """A minimisation that has not begun, of so many nodes and elements."""
     unknowns = 2 * movable
     return Descent(
         points=points.copy(),
@@ -69,6 +73,8 @@ def descent(points: Floats, movable: int) -> Descent:
         changes=np.zeros((PAIRS, unknowns)),
         curvatures=np.zeros(PAIRS),
         shares=np.ones(movable),
+        openness=np.ones(elements),
+        trial_openness=np.ones(elements),
         values=np.full(LOOK_BACK + 1, np.inf),
         counts=np.zeros(3, dtype=np.int64),
     )
@@ -80,7 +86,7 @@ def begin(run: Descent, tangents: Floats, elements: Elements, energy: Energy) ->
     run.counts[:] = 0
     run.values[:] = np.inf
     run.trial[:] = run.points
-    value = energy_at(run.points, elements, energy, run.node_gradient)
+    value, _ = energy_at(run.points, elements, energy, run.openness, run.openness, run.node_gradient)
     _reduce(run.node_gradient, tangents, run.gradient)
     run.values[0] = value
     return value
@@ -171,13 +177,23 @@ def _try(
 ) -> tuple[float, bool, float]:
     """Energy a step away, whether all nodes made the whole step, and the slope times the step that was made."""
     _move(run.points, tangents, run.direction, length, run.trial)
-    is_whole = True
-    if energy.keeps_valid:
-        is_whole = not held_back(run.points, run.trial, elements, energy.floor, HALVINGS, run.shares)
-    value = energy_at(run.trial, elements, energy, run.node_gradient)
+    value, is_whole = settle(run, elements, energy, HALVINGS)
     _reduce(run.node_gradient, tangents, run.trial_gradient)
-    along = slope * length if is_whole else _slope_made(run, tangents)
-    return value, is_whole, along
+    return value, is_whole, slope * length if is_whole else _slope_made(run, tangents)
+
+
+@compiled
+def settle(run: Descent, elements: Elements, energy: Energy, halvings: int) -> tuple[float, bool]:
+    """Energy of the trial, once no element is spoilt by it, and whether nothing had to be held back for that."""
+    for round_ in range(ROUNDS):
+        value, spoils = energy_at(run.trial, elements, energy, run.openness, run.trial_openness, run.node_gradient)
+        if not spoils:
+            return value, round_ == 0
+        share = 0.5 if round_ < halvings else 0.0
+        hold_back(
+            run.points, run.trial, elements, run.openness, run.trial_openness, energy.guard, share, run.shares
+        )  # fmt: skip
+    return np.inf, False
 
 
 @compiled
@@ -190,10 +206,10 @@ def _remember(run: Descent, tangents: Floats, size: float) -> None:
             made = 0.0
             for axis in range(3):
                 made += (run.trial[node, axis] - run.points[node, axis]) * tangents[node, way, axis]
-
             step[2 * node + way] = made
         for axis in range(3):
             run.points[node, axis] = run.trial[node, axis]
+    run.openness[:] = run.trial_openness
     for i in range(len(change)):
         change[i] = run.trial_gradient[i] - run.gradient[i]
         run.gradient[i] = run.trial_gradient[i]

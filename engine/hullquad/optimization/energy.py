@@ -1,4 +1,4 @@
-"""What a minimiser makes smaller, compiled: one function for every kind of energy."""
+"""What a minimiser makes smaller, compiled: a sum over all elements of a program's value, whatever the program is."""
 
 from typing import NamedTuple
 
@@ -6,41 +6,105 @@ import numpy as np
 
 from hullquad.arrays import Floats, Ints
 from hullquad.metrics.compiled import compiled
-from hullquad.optimization.winslow import winslow_energy
+from hullquad.metrics.kernels import load, rows_of
+from hullquad.metrics.machine import run
+from hullquad.metrics.program import LANES, Program
 
-WINSLOW, METRIC = 0, 1
+KEPT = 0.4
+"""Part of its openness that an element below the guard must keep in one step."""
 
 
 class Elements(NamedTuple):
-    """The elements of a problem."""
+    """The elements of a problem, with the directions that they must face: (1, 3), or one for each."""
 
     quads: Ints
     """(Q, 4)"""
     triangles: Ints
     """(T, 3)"""
-    normals: Floats
-    """(1, 3) or (Q + T, 3) directions that quads, then triangles must face."""
+    quad_normals: Floats
+    triangle_normals: Floats
 
 
 class Energy(NamedTuple):
-    """An energy with its parameters."""
+    """The value of quads and that of triangles; each program gives value, openness, and slopes by the nodes."""
 
-    kind: int
+    quads: Program
+    triangles: Program
+    quad_rows: Floats
+    """What the program for quads works on, its constants and its parameter in place."""
+    triangle_rows: Floats
     size: float
     """Element size [mm]."""
-    keeps_valid: bool
-    """Whether no step may turn an element inside out: until all are valid, it may."""
-    epsilon: float
-    """How far Winslow's energy is regularised [element size squared]."""
-    floor: float
-    """Scaled Jacobian below which elements must keep most of what they have."""
+    guard: float
+    """Openness below which elements must keep most of what they have; -inf: elements may even be folded."""
 
 
 @compiled
-def energy_at(points: Floats, elements: Elements, energy: Energy, gradient: Floats) -> float:
-    """The energy; its gradient by the points is written to `gradient` (K, 3)."""
+def energy_at(
+    points: Floats, elements: Elements, energy: Energy, before: Floats, openness: Floats, gradient: Floats
+) -> tuple[float, bool]:
+    """The energy, and whether a step to here would spoil an element.
+
+    `before` and `openness` (Q + T,) are the elements' openness where the step began, and here; the gradient by the
+    points is written to `gradient` (K, 3).
+    """
     gradient[:] = 0.0
-    value = winslow_energy(
-        points, elements.quads, elements.triangles, elements.normals, energy.size, energy.epsilon, gradient
-    )
-    return value if np.isfinite(value) else np.inf
+    of_quads, spoils = _sum_over(
+        energy.quads, energy.quad_rows, points, elements.quads, elements.quad_normals, energy.guard,
+        before[: len(elements.quads)], openness[: len(elements.quads)], gradient,
+    )  # fmt: skip
+    of_triangles, spoils_too = _sum_over(
+        energy.triangles, energy.triangle_rows, points, elements.triangles, elements.triangle_normals, energy.guard,
+        before[len(elements.quads) :], openness[len(elements.quads) :], gradient,
+    )  # fmt: skip
+    total = of_quads + of_triangles
+    return (total if np.isfinite(total) else np.inf), spoils or spoils_too
+
+
+@compiled
+def _sum_over(
+    program: Program, rows: Floats, points: Floats, elements: Ints, normals: Floats, guard: float,
+    before: Floats, openness: Floats, gradient: Floats,
+) -> tuple[float, bool]:  # fmt: skip
+    """The energy of elements of one kind."""
+    total, spoils = 0.0, False
+    lanes, parameter = np.arange(LANES), _parameter(program, rows)
+    for start in range(0, len(elements), LANES):
+        filled = min(LANES, len(elements) - start)
+        for i in range(filled):
+            lanes[i] = start + i
+        load(program, rows, points, elements, normals, parameter, lanes, filled)
+        run(program.steps, rows)
+        value, is_open = program.outputs[0], program.outputs[1]
+        for i in range(filled):
+            openness[start + i] = rows[is_open + i]
+            spoils |= is_spoilt(before[start + i], openness[start + i], guard)
+            total += rows[value + i]
+        for node in range(len(program.outputs) - 2):
+            row = program.outputs[2 + node]
+            for i in range(filled):
+                at = elements[start + i, node]
+                for axis in range(3):
+                    gradient[at, axis] += rows[row + axis * LANES + i]
+    return total, spoils
+
+
+@compiled
+def _parameter(program: Program, rows: Floats) -> float:
+    row = program.inputs[len(program.inputs) - 1]
+    return rows[row] if row >= 0 else 0.0
+
+
+@compiled
+def rows_for(program: Program, parameter: float) -> Floats:
+    """Rows for a program to work on, with the value of its last input."""
+    rows, row = rows_of(program), program.inputs[len(program.inputs) - 1]
+    if row >= 0:
+        rows[row : row + LANES] = parameter
+    return rows
+
+
+@compiled
+def is_spoilt(before: float, after: float, guard: float) -> bool:
+    """Whether an element loses too much: it may get down to the guard; below, it must keep a part of what it has."""
+    return after < guard and not after >= KEPT * min(before, guard)

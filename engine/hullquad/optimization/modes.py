@@ -9,7 +9,7 @@ from hullquad.optimization.iterate import Iterate
 from hullquad.optimization.looks import Rank, looks
 from hullquad.optimization.problem import problem
 from hullquad.optimization.settings import SearchSettings
-from hullquad.optimization.untangle import evenness, relaxing, untangling
+from hullquad.optimization.untangle import evenness, folded_count, relaxing, untangling
 
 _RELAXING = 60
 
@@ -28,7 +28,7 @@ def untangle_iterates(mesh: Mesh, metric: Metric, settings: SearchSettings | Non
             yield "even out"
 
     def rank() -> Rank:
-        return -float(course.folded[0]), -evenness(course)
+        return -float(folded_count(course)), -evenness(course)
 
     yield from looks(mesh, metric, course, stages(), rank)
 

@@ -48,7 +48,7 @@ class Problem:
         if self.surface is not None:
             places = np.array(self.mesh.points)
             places[moved] = points[: self.movable]
-            return attrs.evolve(self.mesh, points=places)
+            return attrs.evolve(self.mesh, points=places, reference_areas=self.mesh.areas)
         parameters = np.array(self.mesh.parameters)
         parameters[moved] = points[: self.movable, :2]
         return self.mesh.with_parameters(parameters)

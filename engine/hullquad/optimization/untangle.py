@@ -3,9 +3,11 @@
 from collections.abc import Iterator
 from math import sqrt
 
+import numpy as np
+
+from hullquad.arrays import Floats, Ints
 from hullquad.optimization.course import Course
-from hullquad.optimization.energy import WINSLOW, Energy
-from hullquad.optimization.winslow import chi
+from hullquad.optimization.energies import winslow
 
 _SMALLEST = 1e-9
 _OUTER, _INNER = 100, 60
@@ -17,38 +19,56 @@ _LEAST_PROGRESS = 0.1
 def untangling(course: Course) -> Iterator[int]:
     """Stages that open every folded element, or as many as can be; yields the number of each iteration.
 
-    The regularisation follows Garanzha et al. (2021), Eq. (6): it shrinks with the energy, and with the least
-    Jacobian as that becomes positive.
+    The regularisation begins at the depth of the worst fold and follows Garanzha et al. (2021), Eq. (6): it shrinks
+    with the energy, and with the least Jacobian as that becomes positive.
     """
-    count, least = course.folded
-    epsilon = max(1.0, -least)
+    size, count = course.problem.size, folded_count(course)
+    epsilon = max(1.0, -_least_jacobian(course))
     for _ in range(_OUTER):
         if not count or course.is_complete:
             return
-        energy = winslow(course, epsilon)
+        energy = winslow(size, epsilon)
         before = course.value(energy)
         yield from course.stage(energy, _INNER, _GAIN * before)
-        count, least = course.folded
+        count, least = folded_count(course), _least_jacobian(course)
         epsilon = _next(epsilon, least, course.value(energy) / before)
 
 
 def relaxing(course: Course, most: int) -> Iterator[int]:
     """A stage that evens out an open mesh: the start of everything that follows; a folded one is left alone."""
-    if not course.folded[0]:
-        yield from course.stage(winslow(course, _SMALLEST), most, _GAIN * evenness(course))
+    if not folded_count(course):
+        yield from course.stage(winslow(course.problem.size, _SMALLEST), most, _GAIN * evenness(course))
 
 
 def evenness(course: Course) -> float:
     """Winslow's energy as it is: 1 for each square, half for an equilateral triangle, huge where folded."""
-    return course.value(winslow(course, _SMALLEST))
+    return course.value(winslow(course.problem.size, _SMALLEST))
 
 
-def winslow(course: Course, epsilon: float) -> Energy:
-    """Winslow's energy, which opens elements and never needs to be told to keep them so."""
-    return Energy(kind=WINSLOW, size=course.problem.size, keeps_valid=False, epsilon=epsilon, floor=0.0)
+def folded_count(course: Course) -> int:
+    """Number of elements that are not open."""
+    _, openness = course.look(winslow(course.problem.size, 1.0))
+    return int(np.count_nonzero(~(openness > 0)))
 
 
 def _next(epsilon: float, least: float, share: float) -> float:
     """The next regularisation, when a stage has left this share of the energy."""
-    wanted = (1.0 - max(1.0 - share, _LEAST_PROGRESS)) * chi(least, epsilon)
+    root = sqrt(epsilon**2 + least**2)
+    chi = 0.5 * (least + root) if least > 0 else 0.5 * epsilon**2 / (root - least)
+    wanted = (1.0 - max(1.0 - share, _LEAST_PROGRESS)) * chi
     return max(_SMALLEST, 2.0 * sqrt(wanted * (wanted - least))) if least < wanted else _SMALLEST
+
+
+def _least_jacobian(course: Course) -> float:
+    """Least corner Jacobian of all elements, seen against what they must face [element size squared]."""
+    known = course.elements
+    pairs = ((known.quads, known.quad_normals), (known.triangles, known.triangle_normals))
+    found = [_jacobians(course.points, elements, normals).min(initial=np.inf) for elements, normals in pairs]
+    return float(min(found)) / course.problem.size**2
+
+
+def _jacobians(points: Floats, elements: Ints, normals: Floats) -> Floats:
+    """(E, 4 or 3) corner Jacobians [mm²]."""
+    corners = points[elements]
+    ahead, back = np.roll(corners, -1, axis=1) - corners, np.roll(corners, 1, axis=1) - corners
+    return np.asarray((np.cross(ahead, back) * normals[:, None]).sum(axis=2))

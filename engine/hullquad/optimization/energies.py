@@ -1,0 +1,109 @@
+"""The energies of all modes, as expressions of an element; their slopes follow by the chain rule."""
+
+from functools import lru_cache, reduce
+from math import inf, sqrt
+
+from hullquad.arrays import Floats, floats
+from hullquad.metrics import formulas
+from hullquad.metrics.element import Element
+from hullquad.metrics.expression import Node, Number, choice, dot, lesser, number, root
+from hullquad.metrics.program import Program, program
+from hullquad.metrics.slopes import slopes
+from hullquad.metrics.table_1 import scaled_jacobians
+from hullquad.optimization.energy import Energy, rows_for
+from hullquad.optimization.objective import Objective
+
+LEAST_GUARD = 0.05
+"""Scaled Jacobian below which no element is let fall quickly, floor or not."""
+_SQUARE, _TRIANGLE = 0.25, 0.5
+"""Weights in Winslow's energy: a square has 1, an equilateral triangle half of it."""
+_FLOOR_WEIGHT = 1.0
+"""Of the floor against an objective that counts 0.75 from its limit to its ideal."""
+_BRINK = (0.1, 0.01)
+"""Level and weight of the floor that a smooth objective without one has."""
+_KEPT = 64
+
+
+def winslow(size: float, epsilon: float) -> Energy:
+    """Winslow's energy with a regularised determinant: finite on folded elements, it pulls them open.
+
+    Each corner of a quad, between edges u and v, has ``(|u|^2 + |v|^2) / (2 chi(J))`` with its Jacobian J (Eq. 1)
+    seen against the direction it must face, and ``chi(J) = (J + sqrt(eps^2 + J^2)) / 2``; a triangle has the same
+    for its map from the equilateral one. Lengths are in units of the element size. Source: V. Garanzha et al.,
+    "Foldover-free maps in 50 lines of code", ACM Trans. Graphics 40:102 (2021), Eqs. (3) to (5).
+    """
+    quads, triangles = _winslow_programs(size)
+    return _energy(quads, triangles, floats([epsilon, epsilon]), size, -inf)
+
+
+def merit(objective: Objective, size: float, areas: Floats, doublings: int | None, floor: float | None) -> Energy:
+    """What an objective loses, with a floor under the elements' scaled Jacobian.
+
+    `doublings` is that of the smooth stand-in's exponent, None for the metrics themselves. Below the floor t0 each
+    corner of scaled Jacobian t costs ``t0 / t + t / t0 - 2``; triangles cost nothing else. Without a floor the
+    stand-in has a low and weak one: an element on the brink of folding would hold its neighbours up.
+    """
+    quads, triangles = _merit_programs(objective, doublings, floor)
+    return _energy(quads, triangles, areas, size, max(floor or 0.0, LEAST_GUARD))
+
+
+def _energy(quads: Program, triangles: Program, parameters: Floats, size: float, guard: float) -> Energy:
+    of_quads, of_triangles = parameters.tolist()
+    return Energy(quads, triangles, rows_for(quads, of_quads), rows_for(triangles, of_triangles), size, guard)
+
+
+@lru_cache(_KEPT)
+def _winslow_programs(size: float) -> tuple[Program, Program]:
+    return tuple(_program(element, _winslow(element, size)) for element in (Element(4), Element(3)))  # type: ignore[return-value]  # two
+
+
+@lru_cache(_KEPT)
+def _merit_programs(objective: Objective, doublings: int | None, floor: float | None) -> tuple[Program, Program]:
+    quad, triangle = Element(4, doublings), Element(3, doublings)
+    loss, level, weight = number(0.0), floor, _FLOOR_WEIGHT
+    if floor is None and doublings is not None:
+        level, weight = _BRINK
+    for term, gain in zip(objective.terms, objective.gains.tolist(), strict=True):
+        loss = loss - gain * formulas.value(term.metric, quad)
+    return _program(quad, loss + _below(quad, level, weight)), _program(triangle, _below(triangle, level, weight))
+
+
+def _below(element: Element, floor: float | None, weight: float) -> Number:
+    """What corners below the floor cost."""
+    if floor is None:
+        return number(0.0)
+    costs = [
+        choice(floor - corner, weight * (floor / corner + (1.0 / floor) * corner - 2.0), 0.0)
+        for corner in scaled_jacobians(element)
+    ]
+    return sum(costs[1:], costs[0])
+
+
+def _winslow(element: Element, size: float) -> Number:
+    scale = (1.0 / size) * element.size
+    area = scale * scale
+    if element.count == 3:
+        spread = (0.5 / sqrt(3.0)) * area * sum(element.squares[1:], element.squares[0])
+        return _TRIANGLE * spread / _chi(area * dot(element.facing, element.normals[0]), element.reference)
+    corners = zip(element.normals, element.squares_before, element.squares, strict=True)
+    costs = [
+        (0.5 * _SQUARE) * area * (before + after) / _chi(area * dot(element.facing, normal), element.reference)
+        for normal, before, after in corners
+    ]
+    return sum(costs[1:], costs[0])
+
+
+def _chi(jacobian: Number, epsilon: Number) -> Number:
+    """The Jacobian made positive: itself where it is large, close to 0 where it is negative."""
+    square = epsilon * epsilon
+    length = root(square + jacobian * jacobian)
+    return choice(jacobian, 0.5 * (jacobian + length), 0.5 * square / (length - jacobian))
+
+
+def _program(element: Element, value: Number) -> Program:
+    """Value, openness (least scaled Jacobian of the corners) and slopes by the nodes."""
+    by_sides = slopes(value, element.sides)
+    by_nodes = [element.shrinking * (by_sides[node - 1] - by_sides[node]) for node in range(element.count)]
+    openness = reduce(lesser, scaled_jacobians(element))
+    inputs: list[Node] = [*element.points, element.facing, element.reference]
+    return program([value, openness, *by_nodes], inputs)
