@@ -12,10 +12,11 @@ from hullquad import __version__
 from hullquad.errors import FileError, HullquadError
 from hullquad.formats import atomic, read_mesh
 from hullquad.mesh import Mesh
-from hullquad.metrics import METRICS, Metric, metric
+from hullquad.metrics import METRICS, Band, Metric, metric
 from hullquad_app import libraries
 
 if TYPE_CHECKING:
+    from hullquad.rules import RuleSet
     from hullquad_app.scene import Scene
 
 DONE, REFUSED, USAGE, INTERRUPTED = 0, 1, 2, 130
@@ -48,21 +49,31 @@ def _run(options: Namespace) -> None:
     atomic.check(output)
     mesh = read_mesh(options.input)
     from hullquad_app import pictures  # noqa: PLC0415  brings VTK, which wrong usage must not wait for
+    from hullquad_app.judging import named_rules  # noqa: PLC0415
 
-    scene = _scene(mesh, options.input, metric(options.metric), options.limit)
+    rules = None if options.rules is None else named_rules(options.rules)
+    scene = _scene(mesh, options.input, metric(options.metric), options.limit, rules)
     pictures.write(scene, output, scale=options.scale, transparent=options.transparent)
 
 
-def _scene(mesh: Mesh, path: Path, chosen: Metric, limit: float | None) -> "Scene":
-    """The mesh as a document of its own, looked at by a metric and a limit."""
+def _scene(
+    mesh: Mesh, path: Path, chosen: Metric, limits: tuple[float, ...] | None, rules: "RuleSet | None"
+) -> "Scene":
+    """The mesh as a document of its own, looked at by a metric and its limits, or by rules."""
     from hullquad.optimization.paper import unmoved  # noqa: PLC0415  brings Numba
+    from hullquad_app.objectives import optimised_by  # noqa: PLC0415
     from hullquad_app.scene import Scene, State, View, resolved  # noqa: PLC0415
     from hullquad_app.track import Track  # noqa: PLC0415
 
     key = mesh.plate_id or path.stem
-    state = State(title=path.stem, path=path, tracks={key: Track((unmoved(mesh, chosen),))})
-    bands = {} if limit is None else {chosen.key: chosen.moved(chosen.band, limit)}
-    return resolved(Scene(), state, View(key=key, metric=chosen, bands=bands))
+    state = State(title=path.stem, path=path, tracks={key: Track((unmoved(mesh, optimised_by(chosen)),))})
+    bands = {} if limits is None else {chosen.key: _band(chosen, limits)}
+    return resolved(Scene(), state, View(key=key, metric=chosen, bands=bands, rules=rules))
+
+
+def _band(by: Metric, limits: tuple[float, ...]) -> Band:
+    """The metric's own band with another limit, the nearer one of two, or with both."""
+    return by.opened((limits[0], limits[-1])) if len(limits) > 1 else by.moved(by.band, limits[0])
 
 
 def _parser() -> ArgumentParser:
@@ -85,7 +96,13 @@ def _parser() -> ArgumentParser:
         help="what elements are coloured by: " + ", ".join(keys) + " (default: stretch)",
     )
     parser.add_argument(
-        "--limit", type=_number, metavar="X", help="where quads begin to fail (default: the metric's own limit)"
+        "--limit",
+        type=_numbers,
+        metavar="X[,Y]",
+        help="where quads begin to fail, at both ends of a metric with two (default: the metric's own)",
+    )
+    parser.add_argument(
+        "--rules", metavar="NAME|FILE", help="colour by the worst violation of a rule set, or of a file"
     )
     parser.add_argument(
         "--scale", type=int, choices=_SCALES, default=1, help="size, as a multiple of 1600 x 1000 pixels (default: 1)"
@@ -95,11 +112,11 @@ def _parser() -> ArgumentParser:
     return parser
 
 
-def _number(text: str) -> float:
+def _numbers(text: str) -> tuple[float, ...]:
     try:
-        number = float(text)
+        numbers = tuple(float(part) for part in text.split(","))
     except ValueError:
-        number = float("nan")
-    if not isfinite(number):
-        raise ArgumentTypeError(f"'{text}' is no number")
-    return number
+        numbers = ()
+    if not 0 < len(numbers) < 3 or not all(map(isfinite, numbers)) or list(numbers) != sorted(numbers):
+        raise ArgumentTypeError(f"'{text}' is no number, nor a lesser and a greater one")
+    return numbers

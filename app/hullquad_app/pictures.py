@@ -15,8 +15,10 @@ from hullquad.errors import HullquadError
 from hullquad.formats import atomic
 from hullquad.sight import plan
 from hullquad_app.canvas.camera import Camera
-from hullquad_app.caption import FOOTER, HEADER, MARGIN, Pen, write_footer, write_header
+from hullquad_app.caption import FOOTER, HEADER, MARGIN, write_header
+from hullquad_app.colour_bar import write_footer
 from hullquad_app.colours import BROKEN, LIGHT, ColourMap
+from hullquad_app.pen import Pen
 from hullquad_app.scene import Scene
 
 WIDTH, HEIGHT = 1600, 1000
@@ -42,7 +44,7 @@ def picture(scene: Scene, *, scale: int = 1, transparent: bool = False, chosen: 
     whole.paste(plate, (0, HEADER * scale), plate)
     pen = Pen(ImageDraw.Draw(whole), scale)
     write_header(pen, WIDTH, scene, scene.quality)
-    write_footer(pen, WIDTH, HEIGHT, scene.quality, chosen, pixel)
+    write_footer(pen, WIDTH, HEIGHT, scene, chosen, pixel)
     return whole if transparent else whole.convert("RGB")
 
 

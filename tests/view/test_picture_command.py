@@ -8,6 +8,8 @@ import pytest
 from PIL import Image
 
 from hullquad.formats import write_mesh
+from hullquad_app.colours import rgb
+from hullquad_app.level_colours import LEVELS
 from hullquad_app.main import main
 
 
@@ -45,7 +47,25 @@ def test_another_kind_of_file_is_refused_before_any_work(tmp_path, capsys):
     assert capsys.readouterr().err.startswith("error E_SUFFIX at ")
 
 
-@pytest.mark.parametrize("words", [["--scale", "5"], ["--limit", "nan"], ["--metric", "beauty"]])
+def test_it_colours_by_rules(mesh_file, tmp_path):
+    assert main(["picture", str(mesh_file), "-o", str(tmp_path / "plate.png"), "--rules", "bv"]) == 0
+    with Image.open(tmp_path / "plate.png") as image:
+        colours = {colour for _, colour in image.convert("RGB").getcolors(1 << 20)}
+    assert {rgb(LEVELS[0]), rgb(LEVELS[1])} <= colours
+
+
+def test_rules_that_there_are_not_are_refused(mesh_file, tmp_path, capsys):
+    assert main(["picture", str(mesh_file), "-o", str(tmp_path / "plate.png"), "--rules", "none"]) == 1
+    assert capsys.readouterr().err.startswith("error E_RULES at none")
+
+
+@pytest.mark.parametrize("limit", ["40,140", "150"])
+def test_a_metric_has_both_its_limits(mesh_file, tmp_path, limit):
+    words = ["--metric", "corner_angle", "--limit", limit]
+    assert main(["picture", str(mesh_file), "-o", str(tmp_path / "plate.png"), *words]) == 0
+
+
+@pytest.mark.parametrize("words", [["--scale", "5"], ["--limit", "nan"], ["--limit", "2,1"], ["--metric", "beauty"]])
 def test_wrong_usage_is_told(mesh_file, tmp_path, words, capsys):
     with pytest.raises(SystemExit, match="2"):
         main(["picture", str(mesh_file), "-o", str(tmp_path / "plate.png"), *words])

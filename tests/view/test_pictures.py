@@ -11,9 +11,12 @@ from PIL import Image
 from PySide6.QtGui import QGuiApplication
 
 from hullquad.errors import HullquadError
+from hullquad.metrics import metric
+from hullquad.rules import rule_set
 from hullquad_app import pictures
 from hullquad_app.colours import BROKEN, INVERTED, PASS_FAIL, rgb
 from hullquad_app.document import Document
+from hullquad_app.level_colours import LEVELS
 from hullquad_app.scene import State
 
 GOLDEN = Path(__file__).parents[2] / "assets" / "golden"
@@ -65,6 +68,21 @@ def test_another_map_is_used(scene):
 
 def test_inverted_elements_are_magenta(give, folded):
     assert share_of(pictures.picture(give(folded)), INVERTED) > 0.005
+
+
+def test_rules_colour_a_picture_and_are_named(document, scene):
+    document.look(rules=rule_set("csr_fine"))
+    image = pictures.picture(document.scene)
+    assert share_of(image, LEVELS[2]) > 0.02
+    assert (np.asarray(image)[:120] != np.asarray(pictures.picture(scene))[:120]).any()
+
+
+def test_what_the_contour_gives_is_hatched(document, scene):
+    document.look(metric=metric("longest_edge"))
+    assert document.scene.given.any()
+    hatched = pictures.picture(document.scene)
+    plain = attrs.evolve(document.scene.verdict, given=np.zeros_like(document.scene.given))
+    assert np.asarray(hatched).tobytes() != pictures.picture(attrs.evolve(document.scene, verdict=plain)).tobytes()
 
 
 @pytest.mark.parametrize("scale", [1, 2])
