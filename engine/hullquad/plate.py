@@ -121,6 +121,11 @@ class Sizes:
     fine: float
     very_fine: float
 
+    @classmethod
+    def of(cls, target: float, **given: float) -> "Sizes":
+        """Sizes as they follow from the target size, but for the given ones."""
+        return cls(**({"coarse": target, "fine": target / 4, "very_fine": target / 16} | given))
+
 
 @attrs.frozen(eq=False, kw_only=True)
 class Plate:
@@ -285,6 +290,9 @@ class Document:
     warnings: tuple[Notice, ...] = ()
     input_hash: str = ""
     """SHA-256 of the file."""
+    length_unit: str = "mm"
+    """Of the file; everything here is in millimetres."""
+    angle_unit: str = "deg"
 
     def plate(self, plate_id: str) -> Plate:
         """Plate of that id."""

@@ -50,6 +50,7 @@ class Cylinder:
     radius: float
     start_angle: float
     """[rad]"""
+    note: str = ""
 
     def points(self, parameters: Floats) -> Floats:
         """(N, 3) points in space [mm] of (N, 2) parameters."""
@@ -71,6 +72,9 @@ class Bezier:
     """
 
     control: Floats = attrs.field(converter=floats)
+    frame: Plane = Plane([0, 0, 0], [1, 0, 0], [0, 1, 0])
+    """What the document gives beside the control points, which need none."""
+    note: str = ""
 
     def points(self, parameters: Floats) -> Floats:
         """(N, 3) points in space [mm] of (N, 2) parameters."""

@@ -21,12 +21,19 @@ class Format:
     title: str
     read_plates: Callable[[Path], Document] | None = None
     survey_plates: Callable[[Path], tuple[Document, Sequence[Refusal]]] | None = None
+    write_plates: Callable[[Document, Path], None] | None = None
     read_mesh: Callable[[Path], Mesh] | None = None
     write_mesh: Callable[[Mesh, Path, Mapping[str, Floats] | None], None] | None = None
 
 
 FORMATS = (
-    Format(suffix=".json", title="HullQuad plates", read_plates=hullplate.read, survey_plates=hullplate.survey),
+    Format(
+        suffix=".json",
+        title="HullQuad plates",
+        read_plates=hullplate.read,
+        survey_plates=hullplate.survey,
+        write_plates=hullplate.write,
+    ),
     Format(suffix=".vtu", title="VTK unstructured grid", read_mesh=vtu.read, write_mesh=vtu.write),
 )
 
@@ -53,6 +60,17 @@ def survey_plates(path: Path) -> tuple[Document, Sequence[Refusal]]:
     """
     found: tuple[Document, Sequence[Refusal]] = _function("survey_plates", path)(path)
     return found
+
+
+def write_plates(document: Document, path: Path) -> None:
+    """Put the plates of a document into a file, from which they are read as they are.
+
+    Raises
+    ------
+    FileError
+        No plates are written to files with this ending, or it cannot be written; an existing file is as it was.
+    """
+    _function("write_plates", path)(document, path)
 
 
 def read_mesh(path: Path) -> Mesh:

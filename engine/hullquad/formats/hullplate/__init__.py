@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import attrs
-import numpy as np
 
 from hullquad.documents.entry import Entry, Field, Refused, anything, fields, positive, text, whole
 from hullquad.documents.json_text import Positions, decode
@@ -18,17 +17,16 @@ from hullquad.formats.hullplate.concerns import concerns
 from hullquad.formats.hullplate.defects import defects, size_defects
 from hullquad.formats.hullplate.plate_entry import is_id
 from hullquad.formats.hullplate.plate_entry import plate as plate_of
+from hullquad.formats.hullplate.scales import ANGLES, LENGTHS
+from hullquad.formats.hullplate.scales import density as density_scale
+from hullquad.formats.hullplate.writer import VERSION, write
 from hullquad.formats.source import content
 from hullquad.plate import Document, Material, Notice, Plate, Refusal
 from hullquad.triangulation.concerns import concerns_of, gap_concerns, size_concerns
 from hullquad.triangulation.contour import attempts
 from hullquad.triangulation.neighbours import neighbours
 
-_VERSION = 1
-_LENGTHS = {"mm": 1.0, "m": 1000.0}
-_ANGLES = {"deg": np.pi / 180, "rad": 1.0}
-_TONNES_PER_M3 = 1e-9
-"""[t/mm3]; densities are in it when lengths are in metres."""
+__all__ = ["read", "survey", "write"]
 
 Finding = TypeVar("Finding", PlateError, Notice)
 
@@ -80,6 +78,8 @@ def _surveyed(path: Path) -> tuple[Document, tuple[Refusal, ...], Positions]:
         materials=found["materials"],
         plates=tuple(plate for plate in found["plates"] if plate.id not in conflicts),
         input_hash=hashlib.sha256(data).hexdigest(),
+        length_unit=found["units"].get("length", "mm"),
+        angle_unit=found["units"].get("angle", "deg"),
     )
     notices = [notice for plate in document.plates for notice in concerns(plate)]
     notices += gap_concerns(document)
@@ -132,9 +132,9 @@ def _refuse_others(value: Any) -> None:
     kind, version = (top.at(key, value.get(key)) for key in ("format", "version"))
     if kind.value != "hullplate":
         raise PlateError("E_FORMAT", kind.place, shown=kind.shown)
-    if isinstance(version.value, bool) or version.value != _VERSION:
-        is_newer = isinstance(version.value, int) and version.value > _VERSION
-        raise PlateError("E_VERSION", version.place, "newer" if is_newer else "", shown=version.shown, known=_VERSION)
+    if isinstance(version.value, bool) or version.value != VERSION:
+        is_newer = isinstance(version.value, int) and version.value > VERSION
+        raise PlateError("E_VERSION", version.place, "newer" if is_newer else "", shown=version.shown, known=VERSION)
 
 
 def _table(value: dict[str, Any]) -> dict[str, Field]:
@@ -142,10 +142,11 @@ def _table(value: dict[str, Any]) -> dict[str, Field]:
     length, angle = _scales(value.get("units"))
     named = value.get("materials")
     names = named if isinstance(named, dict) else None
-    units = {"length": Field(partial(_unit, _LENGTHS), "E_UNITS"), "angle": Field(partial(_unit, _ANGLES))}
+    units = {"length": Field(partial(_unit, LENGTHS), "E_UNITS"), "angle": Field(partial(_unit, ANGLES))}
     return {
         "format": Field(anything),
         "version": Field(anything),
+        "program": Field(text),
         "name": Field(_name, "E_TYPE"),
         "units": Field(lambda entry: whole(entry, units), "E_UNITS"),
         "materials": Field(lambda entry: _materials(entry, length), "E_MATERIAL"),
@@ -159,7 +160,7 @@ def _scales(units: Any) -> tuple[float, float]:
     """Millimetres and radians per unit; those of mm and degrees where the units cannot be read."""
     named = units if isinstance(units, dict) else {}
     length, angle = str(named.get("length")), str(named.get("angle"))
-    return _LENGTHS.get(length, 1.0), _ANGLES.get(angle, _ANGLES["deg"])
+    return LENGTHS.get(length, 1.0), ANGLES.get(angle, ANGLES["deg"])
 
 
 def _unit(known: dict[str, float], entry: Entry) -> str:
@@ -176,7 +177,7 @@ def _name(entry: Entry) -> str:
 
 def _materials(entry: Entry, length: float) -> dict[str, Material]:
     above_zero = positive("E_MATERIAL")
-    density = positive("E_MATERIAL", 1.0 if length == 1 else _TONNES_PER_M3)
+    density = positive("E_MATERIAL", density_scale(length))
     table = {
         "E": Field(above_zero, "E_MATERIAL"),
         "nu": Field(_poisson, "E_MATERIAL"),

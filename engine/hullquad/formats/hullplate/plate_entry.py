@@ -202,14 +202,9 @@ def _assembled(entry: Entry, values: dict[str, Any], units: Units) -> Plate:
         seams=tuple(values["seams"]),
         fixed=_stacked(values["fixed"]),
         divisions=tuple(tuple(numbers) for numbers in by_loop),
-        sizes=_sizes(values["target_size"], values["sizes"]),
+        sizes=Sizes.of(values["target_size"], **values["sizes"]),
         place=entry.place,
     )
-
-
-def _sizes(target: float, given: dict[str, float]) -> Sizes:
-    """Sizes by name; what is not given follows from the target size."""
-    return Sizes(**({"coarse": target, "fine": target / 4, "very_fine": target / 16} | given))
 
 
 def _stacked(points: list[Floats]) -> Floats:

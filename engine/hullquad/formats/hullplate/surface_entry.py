@@ -68,7 +68,7 @@ def _cylinder(entry: Entry, plane: Plane, units: Units) -> Cylinder:
         "note": Field(text),
     }
     values = whole(entry, table)
-    return Cylinder(plane, values["radius"], values["start_angle"] * units.angle)
+    return Cylinder(plane, values["radius"], values["start_angle"] * units.angle, values.get("note", ""))
 
 
 def _axis(entry: Entry) -> str:
@@ -77,7 +77,7 @@ def _axis(entry: Entry) -> str:
     return "u"
 
 
-def _bezier(entry: Entry, _plane: Plane, units: Units) -> Bezier:
+def _bezier(entry: Entry, plane: Plane, units: Units) -> Bezier:
     table = {
         "type": Field(anything),
         "degree": Field(lambda item: items(item, _degree), "E_SURFACE"),
@@ -90,7 +90,7 @@ def _bezier(entry: Entry, _plane: Plane, units: Units) -> Bezier:
         raise entry.at("degree").refused("E_SURFACE", "degree", shown=str(degree))
     if control.shape != (degree[1] + 1, degree[0] + 1, 3):
         raise entry.at("control").refused("E_SURFACE", "control", rows=degree[1] + 1, columns=degree[0] + 1)
-    return Bezier(control)
+    return Bezier(control, plane, values.get("note", ""))
 
 
 def _degree(entry: Entry) -> int:
