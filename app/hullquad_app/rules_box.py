@@ -1,5 +1,6 @@
 """By what elements are judged: the metric, or a rule set of a class society, a solver or the user's."""
 
+from collections.abc import Callable
 from pathlib import Path
 
 from PySide6.QtCore import Signal
@@ -26,8 +27,10 @@ class RulesBox(GroupedBox):
 
     def __init__(self) -> None:
         super().__init__(_LETTERS)
-        self._key, self._files = METRIC, list[Path]()
-        self._is_complete = False
+        self._key = METRIC
+        self._listed: list[Path] | None = None
+        """Files in the list; None until it is complete."""
+        self._files: Callable[[], list[Path]] = list
         self.fill([self._by_metric()])
         self.chosen.connect(self._choose)
 
@@ -36,20 +39,20 @@ class RulesBox(GroupedBox):
         rules = scene.view.rules
         self._key = METRIC if rules is None else rules.key
         if rules is not None and self.findData(rules.key) < 0:
-            self._is_complete = False
+            self._listed = None
             self.fill([self._by_metric(), Choice("", rules.title, rules.key)])
         self.show_choice(self._key)
         self.setToolTip(self.tr("Elements are judged by the metric and its limit") if rules is None else about(rules))
 
-    def set_files(self, files: list[Path]) -> None:
-        """Offer these files of the user's, too."""
-        self._files, self._is_complete = files, False
+    def offer(self, files: Callable[[], list[Path]]) -> None:
+        """Offer files of the user's, too: those that there are when the list is opened."""
+        self._files, self._listed = files, None
 
     def complete(self) -> None:
         """List all that can be chosen."""
-        if not self._is_complete:
-            self._is_complete = True
-            self.fill([self._by_metric(), *self._built_in(), *self._own()])
+        if self._listed != (files := self._files()):
+            self._listed = files
+            self.fill([self._by_metric(), *self._built_in(), *self._own(files)])
             self.show_choice(self._key)
 
     def showPopup(self) -> None:
@@ -76,8 +79,8 @@ class RulesBox(GroupedBox):
         order = [self.tr("The paper"), societies, solvers]
         return sorted(listed, key=lambda choice: order.index(choice.heading))
 
-    def _own(self) -> list[Choice]:
+    def _own(self, files: list[Path]) -> list[Choice]:
         heading = self.tr("Own files")
-        files = [Choice(heading, path.stem, str(path), str(path)) for path in self._files]
+        known = [Choice(heading, path.stem, str(path), str(path)) for path in files]
         other = Choice(heading, self.tr("Other…"), OTHER, self.tr("Read a file of rules (hullquad rules, JSON)"))
-        return [*files, other]
+        return [*known, other]

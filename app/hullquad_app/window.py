@@ -218,6 +218,7 @@ class MainWindow(QMainWindow):
         self.choices.metric_chosen.connect(session.choose_metric)
         self.choices.limit_moved.connect(session.judging.set_limit)
         self.choices.limit_reset.connect(session.judging.reset_limit)
+        self.choices.rules.offer(lambda: session.settings.rule_files)
         self.choices.rules_chosen.connect(session.judging.judge_by)
         self.choices.rules_file_wanted.connect(self.judging_files.choose_rules)
         self.canvas.picked.connect(lambda row, extend: session.select({row}, extend=extend))

@@ -48,7 +48,7 @@ def test_another_file_is_asked_for(box, qtbot):
 
 
 def test_files_of_the_user_are_listed(box):
-    box.set_files([Path("/yard/ours.json")])
+    box.offer(lambda: [Path("/yard/ours.json")])
     box.complete()
     assert box.itemText(box.findData("/yard/ours.json")) == "ours"
 

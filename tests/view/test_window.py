@@ -7,15 +7,19 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QMimeData, QPointF, QSettings, Qt, QUrl
+from PySide6.QtCore import QEvent, QMimeData, QPoint, QPointF, QSettings, Qt, QUrl
 from PySide6.QtGui import QDropEvent, QGuiApplication, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QMessageBox
 
 from hullquad.formats import read_mesh
 from hullquad.metrics import METRICS
+from hullquad_app.canvas.picker import corners
 from hullquad_app.colours import Theme, element_colours
 from hullquad_app.faults import Faults
+from hullquad_app.level_colours import level_colours
+from hullquad_app.limits import limit_words
+from hullquad_app.panels.figures import valued
 from hullquad_app.scene import State
 from hullquad_app.session import Session
 from hullquad_app.settings import Settings
@@ -372,7 +376,9 @@ def test_every_control_has_a_name_and_every_action_a_tip(window):
         assert action.toolTip()
         if not action.shortcut().isEmpty():
             assert "(" in action.toolTip()
-    for box in (window.choices.plates, window.choices.metrics, window.choices.limits, window.welcome.gallery):
+    choices = window.choices
+    boxes = (choices.plates, choices.rules, choices.metrics, *choices.limits.boxes, choices.limits.reset)
+    for box in (*boxes, window.welcome.gallery, window.docks.rules.table, window.docks.element.table):
         assert box.accessibleName()
 
 
@@ -448,3 +454,114 @@ def test_what_was_said_during_a_run_stays_when_it_ends(meshed, qtbot):
     meshed.session.message.emit("odd")
     wait_for_end(meshed, qtbot)
     assert meshed.messages.isVisible()
+
+
+def test_every_metric_is_shown_alike_everywhere(meshed):
+    box, figures = meshed.choices.metrics, meshed.docks.quality.figures
+    meshed.session.choose_metric(METRICS[0].key)
+    box.setFocus()
+    for row in METRICS:
+        quality = scene(meshed).quality
+        assert (box.currentData(), quality.metric) == (row.key, row)
+        np.testing.assert_array_equal(colours(meshed), element_colours(quality))
+        assert [limit.value() for limit in meshed.choices.limits.boxes if limit.isVisible()] == list(quality.limits)
+        assert limit_words(row, quality.band) in meshed.docks.quality.chart.accessibleDescription()
+        assert figures.worst.number.text() == valued(quality.worst, row)
+        assert figures.failing.number.text() == str(quality.failing_count)
+        assert meshed.docks.worst.model.element(0) == quality.worst_first[0]
+        press(box, KEY.Key_Down)
+
+
+def test_both_limits_of_a_two_sided_metric_are_dragged(meshed):
+    meshed.session.choose_metric("corner_angle")
+    chart = meshed.docks.quality.chart
+    for start, end in ((45, 60), (135, 120)):
+        QTest.mousePress(chart, LEFT, pos=chart.point_at(start).toPoint())
+        QTest.mouseMove(chart, chart.point_at(end).toPoint())
+        QTest.mouseRelease(chart, LEFT, pos=chart.point_at(end).toPoint())
+    assert scene(meshed).quality.limits == pytest.approx((60, 120), abs=2)
+    assert [box.value() for box in meshed.choices.limits.boxes] == pytest.approx(scene(meshed).quality.limits)
+    np.testing.assert_array_equal(colours(meshed), element_colours(scene(meshed).quality))
+    QTest.mouseClick(meshed.choices.limits.reset, LEFT)
+    assert scene(meshed).quality.limits == (45, 135)
+
+
+def test_a_rule_set_is_chosen_and_a_rule_shows_its_elements(meshed):
+    box, panel = meshed.choices.rules, meshed.docks.rules
+    box.showPopup()
+    box.hidePopup()
+    box.setFocus()
+    while scene(meshed).view.rules is None or scene(meshed).view.rules.key != "csr_fine":
+        press(box, KEY.Key_Down)
+    assessment = scene(meshed).assessment
+    np.testing.assert_array_equal(colours(meshed), level_colours(assessment.levels, scene(meshed).quality.valid))
+    assert panel.isVisible()
+    assert panel.title.text() == assessment.rule_set.title
+    row = next(row for row, finding in enumerate(assessment.findings) if len(finding.rows))
+    panel.table.scrollTo(panel.model.index(row, 1))
+    place = panel.table.visualRect(panel.model.index(row, 1)).center()
+    QTest.mouseClick(panel.table.viewport(), LEFT, pos=place)
+    assert scene(meshed).view.selection == set(assessment.findings[row].rows.tolist())
+    box.setFocus()
+    press(box, KEY.Key_Home)
+    assert scene(meshed).view.rules is None
+    np.testing.assert_array_equal(colours(meshed), element_colours(scene(meshed).quality))
+
+
+def test_a_rule_set_is_followed_while_a_run_goes_on(meshed, qtbot):
+    meshed.session.judging.judge_by("bv")
+    before = scene(meshed).verdict
+    press(meshed, KEY.Key_R)
+    qtbot.waitUntil(lambda: scene(meshed).verdict is not before, timeout=20_000)
+    wait_for_end(meshed, qtbot)
+    assert scene(meshed).verdict.mesh is scene(meshed).mesh
+    np.testing.assert_array_equal(
+        colours(meshed), level_colours(scene(meshed).assessment.levels, scene(meshed).quality.valid)
+    )
+
+
+def test_an_element_is_inspected_by_mouse_and_key(meshed, qtbot):
+    panel, canvas = meshed.docks.element, meshed.canvas
+    x, y = canvas.viewpoint.camera.pixels(corners(scene(meshed).mesh, 5).mean(axis=0)[None])[0]
+    place = QPoint(round(canvas.width() / 2 + x), round(canvas.height() / 2 - y))
+    QTest.mouseClick(canvas, LEFT, pos=place)
+    assert scene(meshed).view.selection == {5}
+    plain = canvas.overlay.grab().toImage()
+    press(meshed, KEY.Key_I)
+    qtbot.waitUntil(panel.isVisible, timeout=5000)
+    assert panel.title.text() == "Element 6, quad"
+    assert canvas.overlay.grab().toImage() != plain
+    press(meshed, KEY.Key_N)
+    assert panel.title.text() != "Element 6, quad"
+    meshed.docks.objective.parent().raise_()
+
+
+def test_criteria_are_saved_and_loaded_from_the_menu(meshed, tmp_path, monkeypatch):
+    file = tmp_path / "ours.json"
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "ours"), ""))
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(file), ""))
+    meshed.session.judging.set_limit(0, 0.7)
+    meshed.actions_by_name["save_criteria"].trigger()
+    meshed.actions_by_name["reset_limits"].trigger()
+    assert scene(meshed).quality.limits == (0.25,)
+    meshed.actions_by_name["load_criteria"].trigger()
+    assert scene(meshed).quality.limits == (0.7,)
+    file.write_text("{")
+    meshed.actions_by_name["load_criteria"].trigger()
+    assert meshed.messages.isVisible()
+    assert "ours.json" in meshed.messages.details.toPlainText()
+
+
+def test_rules_of_the_user_are_read_and_offered_again(meshed, tmp_path, monkeypatch):
+    file = tmp_path / "ours.json"
+    file.write_text(
+        '{"format": "hullquad rules", "version": 1, "title": "Our yard", "edition": "", "source": "QA 12",'
+        ' "rules": [{"measure": "aspect_ratio", "error": [null, 1.2], "text": "close to 1", "status": "read"}]}'
+    )
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(file), ""))
+    meshed.choices.rules.complete()
+    meshed.choices.rules.setFocus()
+    press(meshed.choices.rules, KEY.Key_End)
+    assert scene(meshed).view.rules.title == "Our yard"
+    meshed.choices.rules.complete()
+    assert meshed.choices.rules.currentText() == "ours"
