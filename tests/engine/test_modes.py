@@ -5,14 +5,14 @@ import numpy as np
 import pytest
 
 from hullquad.mesh import Mesh
-from hullquad.metrics import metric
 from hullquad.optimization.facets import facets
 from hullquad.optimization.iterate import outcome
 from hullquad.optimization.modes import untangle_iterates
+from hullquad.optimization.objective import objective
 from hullquad.optimization.settings import SearchSettings
 from hullquad.topology import NodeState, rim_states, topology
 
-SHAPE = metric("shape")
+SHAPE = objective("shape")
 
 
 def with_states(mesh: Mesh, states: np.ndarray) -> Mesh:

@@ -191,7 +191,7 @@ def settle(run: Descent, elements: Elements, energy: Energy, halvings: int) -> t
             return value, round_ == 0
         share = 0.5 if round_ < halvings else 0.0
         hold_back(
-            run.points, run.trial, elements, run.openness, run.trial_openness, energy.guard, share, run.shares
+            run.points, run.trial, elements, run.openness, run.trial_openness, energy, share, run.shares
         )  # fmt: skip
     return np.inf, False
 

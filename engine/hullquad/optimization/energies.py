@@ -2,9 +2,10 @@
 
 from functools import lru_cache, reduce
 from math import inf, sqrt
+from operator import add
 
 from hullquad.arrays import Floats, floats
-from hullquad.metrics import formulas
+from hullquad.metrics import Metric, formulas
 from hullquad.metrics.element import Element
 from hullquad.metrics.expression import Node, Number, choice, dot, lesser, number, root
 from hullquad.metrics.program import Program, program
@@ -17,7 +18,7 @@ LEAST_GUARD = 0.05
 """Scaled Jacobian below which no element is let fall quickly, floor or not."""
 _SQUARE, _TRIANGLE = 0.25, 0.5
 """Weights in Winslow's energy: a square has 1, an equilateral triangle half of it."""
-_FLOOR_WEIGHT = 1.0
+_FLOOR_WEIGHT = 2.0
 """Of the floor against an objective that counts 0.75 from its limit to its ideal."""
 _BRINK = (0.1, 0.01)
 """Level and weight of the floor that a smooth objective without one has."""
@@ -47,9 +48,61 @@ def merit(objective: Objective, size: float, areas: Floats, doublings: int | Non
     return _energy(quads, triangles, areas, size, max(floor or 0.0, LEAST_GUARD))
 
 
-def _energy(quads: Program, triangles: Program, parameters: Floats, size: float, guard: float) -> Energy:
+def _energy(
+    quads: Program, triangles: Program, parameters: Floats, size: float, guard: float, kept: float = 0.4
+) -> Energy:
     of_quads, of_triangles = parameters.tolist()
-    return Energy(quads, triangles, rows_for(quads, of_quads), rows_for(triangles, of_triangles), size, guard)
+    return Energy(quads, triangles, rows_for(quads, of_quads), rows_for(triangles, of_triangles), size, guard, kept)
+
+
+def held_at(objective: Objective, size: float, areas: Floats, doublings: int | None, worst: float) -> Energy:
+    """What an objective loses, while no element gets worse than `worst` by its metric."""
+    quads, triangles = _held_programs(objective, doublings, worst / objective.metric.factor)
+    return _energy(quads, triangles, areas, size, guard=0.0, kept=1.0)
+
+
+@lru_cache(_KEPT)
+def _held_programs(objective: Objective, doublings: int | None, worst: float) -> tuple[Program, Program]:
+    quad, triangle = Element(4, doublings), Element(3, doublings)
+    metric = objective.metric
+    of_triangle = _room(triangle, metric, worst) if metric.holds_triangles else None
+    return (
+        _program(quad, _loss(objective, quad) + _below(quad, *_BRINK), _room(quad, metric, worst)),
+        _program(triangle, _below(triangle, *_BRINK), of_triangle),
+    )
+
+
+def _room(element: Element, metric: Metric, worst: float) -> Number:
+    """How far an element is from the worst value allowed, or from folding: below 0 beyond it."""
+    ideal = metric.quads.ideal / metric.factor
+    exact = Element(element.count)
+    exact.points, exact.facing, exact.reference = element.points, element.facing, element.reference
+    distance = (1.0 / (worst - ideal)) * (formulas.value(metric, exact) - ideal)
+    return lesser(1.0 - distance, reduce(lesser, scaled_jacobians(exact)) - LEAST_GUARD)
+
+
+def worst_first(metric: Metric, size: float, areas: Floats, doublings: int, power: int, worst: float) -> Energy:
+    """Sum over all elements of their distance from the ideal, over that of `worst`, to the power 2^power.
+
+    The greater the power, the more it is the worst element alone that counts: its limit is max-min.
+    """
+    quads, triangles = _worst_programs(metric, doublings, power, worst / metric.factor)
+    return _energy(quads, triangles, areas, size, LEAST_GUARD)
+
+
+@lru_cache(_KEPT)
+def _worst_programs(metric: Metric, doublings: int, power: int, worst: float) -> tuple[Program, Program]:
+    ideal = metric.quads.ideal / metric.factor
+    quad, triangle = Element(4, doublings), Element(3, doublings)
+
+    def loss(element: Element) -> Number:
+        distance = (1.0 / (worst - ideal)) * (formulas.value(metric, element) - ideal)
+        for _ in range(power):
+            distance = distance * distance
+        return distance + _below(element, *_BRINK)
+
+    of_triangle = loss(triangle) if metric.holds_triangles else _below(triangle, *_BRINK)
+    return _program(quad, loss(quad)), _program(triangle, of_triangle)
 
 
 @lru_cache(_KEPT)
@@ -60,12 +113,18 @@ def _winslow_programs(size: float) -> tuple[Program, Program]:
 @lru_cache(_KEPT)
 def _merit_programs(objective: Objective, doublings: int | None, floor: float | None) -> tuple[Program, Program]:
     quad, triangle = Element(4, doublings), Element(3, doublings)
-    loss, level, weight = number(0.0), floor, _FLOOR_WEIGHT
+    level, weight = floor, _FLOOR_WEIGHT
     if floor is None and doublings is not None:
-        level, weight = _BRINK
-    for term, gain in zip(objective.terms, objective.gains.tolist(), strict=True):
-        loss = loss - gain * formulas.value(term.metric, quad)
-    return _program(quad, loss + _below(quad, level, weight)), _program(triangle, _below(triangle, level, weight))
+        level, weight = _BRINK[0], _BRINK[1] * 0.5 ** (doublings / 2)
+    return _program(quad, _loss(objective, quad) + _below(quad, level, weight)), _program(
+        triangle, _below(triangle, level, weight)
+    )
+
+
+def _loss(objective: Objective, element: Element) -> Number:
+    gains = zip(objective.terms, objective.gains.tolist(), strict=True)
+    losses: list[Number] = [-gain * formulas.value(term.metric, element) for term, gain in gains]
+    return reduce(add, losses)
 
 
 def _below(element: Element, floor: float | None, weight: float) -> Number:
@@ -76,21 +135,21 @@ def _below(element: Element, floor: float | None, weight: float) -> Number:
         choice(floor - corner, weight * (floor / corner + (1.0 / floor) * corner - 2.0), 0.0)
         for corner in scaled_jacobians(element)
     ]
-    return sum(costs[1:], costs[0])
+    return reduce(add, costs)
 
 
 def _winslow(element: Element, size: float) -> Number:
     scale = (1.0 / size) * element.size
     area = scale * scale
     if element.count == 3:
-        spread = (0.5 / sqrt(3.0)) * area * sum(element.squares[1:], element.squares[0])
+        spread = (0.5 / sqrt(3.0)) * area * reduce(add, element.squares)
         return _TRIANGLE * spread / _chi(area * dot(element.facing, element.normals[0]), element.reference)
     corners = zip(element.normals, element.squares_before, element.squares, strict=True)
     costs = [
         (0.5 * _SQUARE) * area * (before + after) / _chi(area * dot(element.facing, normal), element.reference)
         for normal, before, after in corners
     ]
-    return sum(costs[1:], costs[0])
+    return reduce(add, costs)
 
 
 def _chi(jacobian: Number, epsilon: Number) -> Number:
@@ -100,10 +159,11 @@ def _chi(jacobian: Number, epsilon: Number) -> Number:
     return choice(jacobian, 0.5 * (jacobian + length), 0.5 * square / (length - jacobian))
 
 
-def _program(element: Element, value: Number) -> Program:
-    """Value, openness (least scaled Jacobian of the corners) and slopes by the nodes."""
+def _program(element: Element, value: Number, openness: Number | None = None) -> Program:
+    """Value, openness (least scaled Jacobian of the corners if nothing else) and slopes by the nodes."""
     by_sides = slopes(value, element.sides)
     by_nodes = [element.shrinking * (by_sides[node - 1] - by_sides[node]) for node in range(element.count)]
-    openness = reduce(lesser, scaled_jacobians(element))
+    if openness is None:
+        openness = reduce(lesser, scaled_jacobians(element))
     inputs: list[Node] = [*element.points, element.facing, element.reference]
     return program([value, openness, *by_nodes], inputs)

@@ -10,9 +10,6 @@ from hullquad.metrics.kernels import load, rows_of
 from hullquad.metrics.machine import run
 from hullquad.metrics.program import LANES, Program
 
-KEPT = 0.4
-"""Part of its openness that an element below the guard must keep in one step."""
-
 
 class Elements(NamedTuple):
     """The elements of a problem, with the directions that they must face: (1, 3), or one for each."""
@@ -37,6 +34,8 @@ class Energy(NamedTuple):
     """Element size [mm]."""
     guard: float
     """Openness below which elements must keep most of what they have; -inf: elements may even be folded."""
+    kept: float
+    """Part of its openness that an element below the guard must keep in one step."""
 
 
 @compiled
@@ -49,13 +48,14 @@ def energy_at(
     points is written to `gradient` (K, 3).
     """
     gradient[:] = 0.0
+    quads = len(elements.quads)
     of_quads, spoils = _sum_over(
-        energy.quads, energy.quad_rows, points, elements.quads, elements.quad_normals, energy.guard,
-        before[: len(elements.quads)], openness[: len(elements.quads)], gradient,
+        energy.quads, energy.quad_rows, points, elements.quads, elements.quad_normals,
+        energy.guard, energy.kept, before[:quads], openness[:quads], gradient,
     )  # fmt: skip
     of_triangles, spoils_too = _sum_over(
-        energy.triangles, energy.triangle_rows, points, elements.triangles, elements.triangle_normals, energy.guard,
-        before[len(elements.quads) :], openness[len(elements.quads) :], gradient,
+        energy.triangles, energy.triangle_rows, points, elements.triangles, elements.triangle_normals,
+        energy.guard, energy.kept, before[quads:], openness[quads:], gradient,
     )  # fmt: skip
     total = of_quads + of_triangles
     return (total if np.isfinite(total) else np.inf), spoils or spoils_too
@@ -63,7 +63,7 @@ def energy_at(
 
 @compiled
 def _sum_over(
-    program: Program, rows: Floats, points: Floats, elements: Ints, normals: Floats, guard: float,
+    program: Program, rows: Floats, points: Floats, elements: Ints, normals: Floats, guard: float, kept: float,
     before: Floats, openness: Floats, gradient: Floats,
 ) -> tuple[float, bool]:  # fmt: skip
     """The energy of elements of one kind."""
@@ -78,7 +78,7 @@ def _sum_over(
         value, is_open = program.outputs[0], program.outputs[1]
         for i in range(filled):
             openness[start + i] = rows[is_open + i]
-            spoils |= is_spoilt(before[start + i], openness[start + i], guard)
+            spoils |= is_spoilt(before[start + i], openness[start + i], guard, kept)
             total += rows[value + i]
         for node in range(len(program.outputs) - 2):
             row = program.outputs[2 + node]
@@ -105,6 +105,6 @@ def rows_for(program: Program, parameter: float) -> Floats:
 
 
 @compiled
-def is_spoilt(before: float, after: float, guard: float) -> bool:
+def is_spoilt(before: float, after: float, guard: float, kept: float) -> bool:
     """Whether an element loses too much: it may get down to the guard; below, it must keep a part of what it has."""
-    return after < guard and not after >= KEPT * min(before, guard)
+    return after < guard and not after >= kept * min(before, guard)

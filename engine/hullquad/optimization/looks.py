@@ -7,11 +7,10 @@ import numpy as np
 
 from hullquad.arrays import Floats
 from hullquad.mesh import Mesh
-from hullquad.metrics import Metric
 from hullquad.optimization import stops
 from hullquad.optimization.course import Course
 from hullquad.optimization.iterate import Iterate
-from hullquad.optimization.paper import objective_sum
+from hullquad.optimization.objective import Objective
 from hullquad.optimization.stops import Stop
 from hullquad.quality import quality
 
@@ -20,7 +19,7 @@ Rank = tuple[float, ...]
 
 
 def looks(
-    mesh: Mesh, metric: Metric, course: Course, stages: Iterator[str], rank: Callable[[], Rank]
+    mesh: Mesh, objective: Objective, course: Course, stages: Iterator[str], rank: Callable[[], Rank]
 ) -> Iterator[Iterate]:
     """Iterates of a course, the given mesh first; `stages` yields the name of its stage after each of its steps.
 
@@ -29,7 +28,7 @@ def looks(
     and the stop says so.
     """
     best = rank()
-    newest = _first(mesh, metric)
+    newest = _first(mesh, objective)
     if not course.problem.movable:
         yield attrs.evolve(newest, stop=stops.NO_FREE_NODES)
         return
@@ -40,7 +39,7 @@ def looks(
         value = rank()
         is_best = value > best
         best, is_better = max(best, value), is_better or is_best
-        newest = _next(newest, now, metric, course.number, stage, is_best=is_best)
+        newest = _next(newest, now, objective, course.number, stage, is_best=is_best)
     yield attrs.evolve(newest, stop=ending(course, newest, is_better=is_better))
 
 
@@ -60,16 +59,16 @@ def farthest_move(before: Floats, after: Floats) -> float:
     return float(np.sqrt(((after - before) ** 2).sum(axis=1).max(initial=0.0)))
 
 
-def _first(mesh: Mesh, metric: Metric) -> Iterate:
-    return Iterate(number=0, mesh=mesh, quality=quality(mesh, metric), objective=objective_sum(mesh, metric))
+def _first(mesh: Mesh, objective: Objective) -> Iterate:
+    return Iterate(number=0, mesh=mesh, quality=quality(mesh, objective.metric), objective=objective.total(mesh))
 
 
-def _next(before: Iterate, mesh: Mesh, metric: Metric, number: int, stage: str, *, is_best: bool) -> Iterate:
+def _next(before: Iterate, mesh: Mesh, objective: Objective, number: int, stage: str, *, is_best: bool) -> Iterate:
     return Iterate(
         number=number,
         mesh=mesh,
-        quality=quality(mesh, metric),
-        objective=objective_sum(mesh, metric),
+        quality=quality(mesh, objective.metric),
+        objective=objective.total(mesh),
         displacement=farthest_move(before.mesh.points, mesh.points),
         is_best=is_best,
         stage=stage,

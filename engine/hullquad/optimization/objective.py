@@ -5,6 +5,7 @@ import numpy as np
 
 from hullquad.arrays import Floats, Ints, floats, ints
 from hullquad.errors import HullquadError
+from hullquad.mesh import Mesh
 from hullquad.metrics import METRICS, OBJECTIVES, Metric, metric
 
 _UNIT = 0.75
@@ -40,6 +41,13 @@ class Objective:
         """(K,) what a unit of each metric's kernel is worth; negative where lower is better."""
         return floats([_gain(term) for term in self.terms])
 
+    def total(self, mesh: Mesh) -> float:
+        """Sum of the metric's raw values over all quads [its unit]; of several, what they gain, with weights."""
+        if len(self.terms) == 1:
+            return objective_sum(mesh, self.metric)
+        worth = zip(self.gains.tolist(), self.terms, strict=True)
+        return float(sum(gain * objective_sum(mesh, term.metric) / term.metric.factor for gain, term in worth))
+
 
 def objective(text: str) -> Objective:
     """The objective that is written ``KEY[=WEIGHT][,KEY…]``.
@@ -50,6 +58,13 @@ def objective(text: str) -> Objective:
         E_METRIC: no such metric. E_OBJECTIVE: one whose sum tells nothing, or a weight that is not above zero.
     """
     return Objective(tuple(_term(part) for part in text.split(",")))
+
+
+def objective_sum(mesh: Mesh, metric: Metric) -> float:
+    """The paper's objective: sum of the metric's raw values over all quads [the metric's unit]."""
+    from hullquad.metrics.values import raw_values  # noqa: PLC0415  brings Numba: half a second
+
+    return float(raw_values(metric, mesh.points, mesh.topology.quads, mesh.normals, mesh.reference_areas).sum())
 
 
 def _term(text: str) -> Term:

@@ -12,9 +12,10 @@ from hullquad.arrays import Bools, Floats
 from hullquad.errors import MeshError
 from hullquad.mesh import Mesh
 from hullquad.metrics import Metric
-from hullquad.metrics.values import difference_gradient, raw_values, valid_elements
+from hullquad.metrics.values import difference_gradient, valid_elements
 from hullquad.optimization import stops
 from hullquad.optimization.iterate import Iterate
+from hullquad.optimization.objective import objective_sum
 from hullquad.optimization.settings import PaperSettings
 from hullquad.optimization.stops import Stop
 from hullquad.quality import quality
@@ -69,11 +70,6 @@ def paper_iterates(mesh: Mesh, metric: Metric, settings: PaperSettings | None = 
 def unmoved(mesh: Mesh, metric: Metric) -> Iterate:
     """A mesh as the only iterate of a run that does nothing."""
     return Iterate(number=0, mesh=mesh, quality=quality(mesh, metric), objective=objective_sum(mesh, metric))
-
-
-def objective_sum(mesh: Mesh, metric: Metric) -> float:
-    """The paper's objective: sum of the metric's raw values over all quads [the metric's unit]."""
-    return float(raw_values(metric, mesh.points, mesh.topology.quads, mesh.normals, mesh.reference_areas).sum())
 
 
 class _Record:

@@ -4,6 +4,8 @@ from math import inf
 
 import attrs
 
+from hullquad.arrays import Bools
+
 
 @attrs.frozen(kw_only=True)
 class PaperSettings:
@@ -24,15 +26,34 @@ class PaperSettings:
     """
 
 
-@attrs.frozen(kw_only=True)
+@attrs.frozen
+class Schedule:
+    """How a smooth stand-in comes to its metric."""
+
+    doublings: tuple[int, ...]
+    """The exponents, as powers of 2."""
+    most: int
+    """Iterations at each, at the most."""
+    gain: float
+    """What an iteration must gain for each quad, on the average of the last five."""
+
+
+QUICK = Schedule((2, 4, 6, 8), 60, 1e-5)
+FINE = Schedule(tuple(range(11)), 200, 1e-7)
+
+
+@attrs.frozen(kw_only=True, eq=False)
 class SearchSettings:
     """The parameters of all other methods."""
 
     floor: float | None = 0.3
     """Scaled Jacobian that an element is not pushed below for the sake of others; None: the pure objective."""
-    iterations: int = 1000
+    schedule: Schedule = QUICK
+    iterations: int = 10_000
     """Most iterations."""
     seconds: float = inf
     """Most time."""
     stride: int = 1
     """Iterations from one iterate to the next: 1 to watch each, many to be quick. The way is the same."""
+    chosen: Bools | None = None
+    """(N,) nodes that may move, if not all free ones may."""
