@@ -155,6 +155,19 @@ def test_boxes_of_plates_anywhere_in_space_have_no_node_without_its_partner(plat
     assert not any(contour.snaps for contour in found.values())
 
 
+@given(boxes(), rotations(), st.integers(0, 2**32), st.sampled_from([0.001, 0.05, 0.25]))
+@settings(max_examples=60, deadline=None)
+def test_boxes_whose_plates_do_not_quite_meet_are_joined_all_the_same(plates, rotation, seed, gap):
+    ways = np.random.default_rng(seed).uniform(-gap, gap, (len(plates), 3))
+    shaken = [
+        attrs.evolve(one, surface=attrs.evolve(one.surface, origin=one.surface.origin + way))
+        for one, way in zip(plates, ways, strict=True)
+    ]
+    found = contours(document(*turned(shaken, rotation)))
+    assert_conforming(found)
+    assert max(snap.distance for contour in found.values() for snap in contour.snaps) < 2 * np.sqrt(3) * gap
+
+
 @given(boxes(), rotations())
 @settings(max_examples=20, deadline=None)
 def test_the_order_of_the_plates_does_not_change_the_numbers_of_nodes(plates, rotation):
