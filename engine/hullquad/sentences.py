@@ -220,6 +220,8 @@ SENTENCES: dict[str, str] = {
     "W_UNITS": "the plate's largest extent is {extent:g} mm; check the coordinates and the units",
     "W_LINE_HOLE": "the line crosses hole {hole}; it is cut there",
     "W_CORNER": "the corner at ({u:.7g}, {v:.7g}) has only {angle:.3g} degrees; no mesh is good there: cut the tip off",
+    "W_CORNER:failing": "the corner at ({u:.7g}, {v:.7g}) has only {angle:.3g} degrees: the scaled Jacobian of a quad "
+    "there is at most {best:.2f}, which fails, however the plate is meshed; cut the tip off",
     "W_SHORT_EDGE": "the edge is {length:.4g} mm long, less than a fifth of the element size ({least:.4g} mm), as are "
     "{count} of this loop; the elements there will be small",
     "W_SMALL_HOLE": "the hole is {width:.4g} mm wide, less than the element size ({size:g} mm); the elements around it "

@@ -482,6 +482,7 @@ WARNED = [
     ("W_THICKNESS", f"{P}/thickness", "/thickness", 151),
     ("W_LINE_HOLE", f"{P}/seams/0", "/seams/0", {"a": [1000, 0], "b": [1000, 1000]}),
     ("W_CORNER", f"{P}/outer/1", "/outer/1", {"p": [9000, 0]}),
+    ("W_CORNER", f"{P}/outer/1", "/outer/1", {"p": [3800, 0]}),
     ("W_SHORT_EDGE", f"{P}/holes/1/0", "/target_size", 600),
     ("W_SMALL_HOLE", f"{P}/holes/1", "/target_size", 201),
     ("W_ODD", P, "/divisions/outer/0", 11),

@@ -8,7 +8,8 @@ import shapely
 from hullquad.plate import Loop, Notice, Plate
 
 _THICKEST = 150
-_SHARPEST = 20
+_SHARPEST, _FAILING = 20, 30
+"""Angles of corners [degrees]: with less than the one no mesh is good, with less than the other no quad passes."""
 _SMALLEST_BOX, _LARGEST_BOX = 50, 500_000
 
 
@@ -34,11 +35,12 @@ def _cut_lines(plate: Plate) -> Iterator[Notice]:
 
 
 def _sharp_corners(loop: Loop) -> Iterator[Notice]:
-    """Corners of the plate's material under 20 degrees; the plate is on the left of its loops."""
+    """Corners of the plate's material that no mesh can mend; the plate is on the left of its loops."""
     leaving = np.array([curve.headings(np.zeros(1))[0] for curve in loop.curves])
     arriving = np.array([curve.headings(np.array([curve.length]))[0] for curve in loop.curves])
     angles = np.degrees((np.pi - (leaving - np.roll(arriving, 1))) % (2 * np.pi))
     # a cusp comes out as nearly nothing, or as nearly a full turn by a rounding error: that one is a slit
-    for i in np.flatnonzero(angles < _SHARPEST):
-        u, v = loop.curves[i].start
-        yield Notice("W_CORNER", loop.vertex_place(int(i)), "", {"u": u, "v": v, "angle": float(angles[i])})
+    for i in np.flatnonzero(angles < _FAILING):
+        (u, v), case = loop.curves[i].start, "" if angles[i] < _SHARPEST else "failing"
+        numbers = {"u": u, "v": v, "angle": float(angles[i]), "best": float(np.sin(np.radians(angles[i])))}
+        yield Notice("W_CORNER", loop.vertex_place(int(i)), case, numbers)
