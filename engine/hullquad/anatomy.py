@@ -12,6 +12,8 @@ from hullquad.mesh import Mesh
 from hullquad.metrics import METRICS, Band, Metric, metric
 from hullquad.quality import Quality
 
+_NONE: Bools = np.zeros(1, dtype=bool)
+
 
 @attrs.frozen(eq=False)
 class Anatomy:
@@ -48,16 +50,15 @@ class Anatomy:
 
     def judged(self, bands: Mapping[str, Band]) -> tuple[tuple[Quality, Bools], ...]:
         """Its quality by every metric, and whether the contour gives it so; `bands` are the user's, by metric key."""
-        from hullquad.metrics.values import all_judged, reference_areas  # noqa: PLC0415  brings Numba
+        from hullquad.metrics.values import all_judged  # noqa: PLC0415  brings Numba
 
         whole, alone = self.mesh, self._alone
-        areas = reference_areas(whole.points, whole.topology.elements)
-        values, valid = all_judged(alone.points, alone.topology.elements, alone.normals, areas)
+        values, valid = all_judged(alone.points, alone.topology.elements, alone.normals, whole.areas)
         found = (
             _quality(row, bands.get(row.key, row.band), values[:, column], valid, alone.topology.is_triangle)
             for column, row in enumerate(METRICS)
         )
-        return tuple((judged, given(alone, judged)) for judged in found)
+        return tuple((judged, given(alone, judged) if judged.failing[0] else _NONE) for judged in found)
 
     @property
     def _is_triangle(self) -> bool:
