@@ -19,6 +19,8 @@ from hullquad_app.session import Session
 
 _WIDTH = 66
 """Of the column of panels, in letters."""
+_MOST = 0.45
+"""Of the window's width, for that column."""
 _HEIGHTS = {"quality": 36, "objective": 25, "worst": 39}
 """Shares of the column."""
 _WHEN_INSPECTING = {"quality": 30, "element": 42, "worst": 28}
@@ -76,7 +78,8 @@ class Docks(QObject):
 
     def set_width(self) -> None:
         """Give the column of panels its width and its parts their heights; Qt does so only when it is shown."""
-        width = self._window.fontMetrics().averageCharWidth() * _WIDTH
+        letters = self._window.fontMetrics().averageCharWidth() * _WIDTH
+        width = min(letters, round(_MOST * self._window.width()))
         self._window.resizeDocks([self._docks["quality"]], [width], Qt.Orientation.Horizontal)
         self._share(_HEIGHTS)
 

@@ -62,10 +62,15 @@ class GroupedBox(QComboBox):
         super().__init__(parent)
         if letters:
             self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-            self.setMinimumContentsLength(letters)
+            self.set_letters(letters)
         self.setItemDelegate(_Rows(self))
         self.setMaxVisibleItems(_MOST_VISIBLE)
         self.activated.connect(lambda row: self.chosen.emit(self.itemData(row)))
+
+    def set_letters(self, letters: int) -> None:
+        """Take another width."""
+        self.setMinimumContentsLength(letters)
+        self.setMinimumWidth(self.sizeHint().width())  # Qt keeps the hint of the length before
 
     def fill(self, choices: Iterable[Choice]) -> None:
         """List these choices instead of those that were there."""

@@ -29,6 +29,7 @@ class LimitBoxes(QWidget):
         self._metric: Metric | None = None
         self.boxes = (QDoubleSpinBox(), QDoubleSpinBox())
         self.reset, self._room = QToolButton(), QWidget()
+        self._is_squeezed = False
         for end, box in enumerate(self.boxes):
             box.setKeyboardTracking(False)
             box.valueChanged.connect(lambda value, end=end: self.moved.emit(end, value))
@@ -46,7 +47,7 @@ class LimitBoxes(QWidget):
             self._metric = by
             self._dress(by)
         self.boxes[1].setVisible(by.is_two_sided)
-        self._room.setVisible(not by.is_two_sided)
+        self._room.setVisible(not by.is_two_sided and not self._is_squeezed)
         for box, limit, ends in zip(self.boxes, limits, _ranges(by, band), strict=False):
             with QSignalBlocker(box):
                 box.setDecimals(decimals(by, limits))
@@ -55,6 +56,11 @@ class LimitBoxes(QWidget):
         self.reset.setEnabled(band != by.band)
         own = self.tr("Take back the limit of the metric itself: {limit}")
         self.reset.setToolTip(own.format(limit=limit_words(by, by.band)))
+
+    def squeeze(self, wanted: bool) -> None:
+        """Do without the room that is kept for a second box."""
+        self._is_squeezed = wanted
+        self._room.setVisible(not wanted and not self.boxes[1].isVisibleTo(self))
 
     def set_palette(self, palette: Palette) -> None:
         """Draw the icon in the colours of a theme."""

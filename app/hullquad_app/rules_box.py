@@ -13,8 +13,6 @@ METRIC, OTHER = "", "…"
 """Data of the rows that are no rule sets."""
 _SOLVERS = ("msc_nastran", "autodesk_nastran", "optistruct", "ansys", "abaqus")
 _PAPER = "table_1"
-_LETTERS = 10
-"""Width of the box; the whole name is in its tooltip."""
 
 
 class RulesBox(GroupedBox):
@@ -25,8 +23,8 @@ class RulesBox(GroupedBox):
     file_wanted = Signal()
     """Another file is to be read."""
 
-    def __init__(self) -> None:
-        super().__init__(_LETTERS)
+    def __init__(self, letters: int = 0) -> None:
+        super().__init__(letters)
         self._key = METRIC
         self._listed: list[Path] | None = None
         """Files in the list; None until it is complete."""

@@ -13,7 +13,9 @@ from hullquad_app.rules_box import RulesBox
 from hullquad_app.scene import Scene
 
 _LETTERS = 10
-"""Width of the box of metrics; the whole title is in its tooltip."""
+"""Width of the boxes of rules and metrics; the whole title is in their tooltips."""
+_SQUEEZED = 6
+"""The same in a narrow window."""
 
 
 class Choices(QWidget):
@@ -32,7 +34,8 @@ class Choices(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._shown: Scene | None = None
-        self.plates, self.rules = PlateBox(), RulesBox()
+        self._labels: list[QLabel] = []
+        self.plates, self.rules = PlateBox(), RulesBox(_LETTERS)
         self.metrics, self.limits = GroupedBox(_LETTERS), LimitBoxes()
         self.metrics.fill(metric_choices(METRICS))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
@@ -56,6 +59,14 @@ class Choices(QWidget):
         if before is None or scene.view.metric is not before.view.metric or scene.band != before.band:
             self.limits.show_limits(scene.view.metric, scene.band)
 
+    def squeeze(self, wanted: bool) -> None:
+        """Leave out whatever can be done without; names are in the tooltips."""
+        for label in self._labels:
+            label.setVisible(not wanted)
+        for box in (self.rules, self.metrics):
+            box.set_letters(_SQUEEZED if wanted else _LETTERS)
+        self.limits.squeeze(wanted)
+
     def set_palette(self, palette: Palette) -> None:
         """Take the colours of a theme."""
         self.limits.set_palette(palette)
@@ -71,6 +82,7 @@ class Choices(QWidget):
             (self.tr("Limit"), self.tr("Where quads begin to fail"), self.limits),
         ):
             label = QLabel(text)
+            self._labels.append(label)
             label.setBuddy(box)
             box.setAccessibleName(name)
             box.setToolTip(name)

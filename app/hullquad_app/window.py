@@ -194,7 +194,7 @@ class MainWindow(QMainWindow):
             (made["step"], made["run"], made["pause"], made["reset"]),
             (made["choose_picture"],),
         )
-        return _fixed("tools", Tools(self.tr("Tools"), groups))
+        return _fixed("tools", Tools(self.tr("Tools"), groups, self.choices.squeeze))
 
     def _history_bar(self) -> QToolBar:
         bar = QToolBar(self.tr("History"))

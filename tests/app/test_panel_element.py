@@ -91,8 +91,8 @@ def test_edges_and_corners_are_told_and_the_worst_one(panel, walked):
     panel.show_scene(now)
     anatomy = now.inspection.anatomy
     assert all(length_words(length) in panel.shape.text() for length in anatomy.edge_lengths)
-    assert f"<b>{anatomy.corner_angles.max():.1f}°</b>" in panel.shape.text()
-    assert "by max. angle" in panel.shape.text()
+    assert f"<b>{anatomy.corner_angles.max():.1f}° worst</b>" in panel.shape.text()
+    assert "by max. angle" in panel.shape.toolTip()
 
 
 def test_a_double_click_wants_the_metric(panel, walked, qtbot):
@@ -127,7 +127,7 @@ def drawn(inspection, palette, outline):
     image = QImage(600, 400, QImage.Format.Format_RGB32)
     image.fill(QColor(palette.view))
     painter = QPainter(image)
-    draw_dimensions(Sheet(painter, palette, QRectF(image.rect())), outline, inspection)
+    draw_dimensions(Sheet(painter, palette, QRectF(image.rect()), QRectF()), outline, inspection)
     painter.end()
     return image
 

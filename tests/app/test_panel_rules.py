@@ -9,6 +9,7 @@ from PySide6.QtGui import QColor, QImage
 from hullquad.metrics import metric
 from hullquad.quality import quality
 from hullquad.rules import Level, Rule, RuleSet, Status, rule_set
+from hullquad_app.canvas.legend import legend_of
 from hullquad_app.colours import DARK, LIGHT
 from hullquad_app.level_colours import LEVELS
 from hullquad_app.panels.rule_rows import COLUMNS
@@ -113,14 +114,20 @@ def test_the_rule_whose_elements_are_selected_is_marked(panel, walked):
     assert {index.row() for index in panel.table.selectionModel().selectedIndexes()} == {1}
 
 
-def test_levels_are_counted_in_their_colours(panel, walked):
+def test_the_legend_counts_the_levels(walked):
     now = scene(walked.first)
-    panel.show_scene(now)
     counts = now.assessment.counts
-    texts = [entry.text for entry in panel.counts.entries]
-    assert texts[:3] == [f"{counts[level]} {word}" for level, word in zip(Level, ("ok", "warn", "fail"), strict=True)]
+    title, entries = legend_of(now)
+    assert title == "Strict"
+    words = [f"{counts[level]} {word}" for level, word in zip(Level, ("ok", "warn", "fail"), strict=True)]
+    assert [entry.text for entry in entries][:3] == words
+    assert [entry.colour for entry in entries][:3] == list(LEVELS)
+
+
+def test_the_set_is_named(panel, walked):
+    panel.show_scene(scene(walked.first))
     assert panel.title.text() == "Strict"
-    assert panel.counts.accessibleDescription()
+    assert "QA 12" in panel.title.toolTip()
 
 
 def test_without_a_rule_set_nothing_is_listed(panel, walked):

@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QIcon, QPixmap
-from PySide6.QtWidgets import QMainWindow
+from PySide6.QtWidgets import QLabel, QMainWindow
 
 from hullquad_app.tools import Tools
 
@@ -31,3 +31,16 @@ def test_words_come_back_with_the_room(window, qtbot):
     for width in (300, 1200):
         window.resize(width, 200)
     qtbot.waitUntil(lambda: window.bar.toolButtonStyle() == Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+
+
+def test_boxes_are_squeezed_where_icons_do_not_fit_either(qtbot):
+    squeezed = []
+    window = QMainWindow()
+    qtbot.addWidget(window)
+    action = QAction(QIcon(QPixmap(20, 20)), "Word", window)
+    window.addToolBar(Tools("Tools", ([action], [QLabel("a very long text " * 5)]), squeezed.append))
+    window.resize(300, 200)
+    window.show()
+    qtbot.waitUntil(lambda: squeezed[-1])
+    window.resize(1500, 200)
+    qtbot.waitUntil(lambda: not squeezed[-1])

@@ -21,11 +21,13 @@ _CENTRE = Qt.AlignmentFlag.AlignCenter
 
 @attrs.frozen(eq=False)
 class Sheet:
-    """What is drawn on: a painter with the font of the labels, the colours, and the rectangle that there is."""
+    """What is drawn on: a painter with the font of the labels, the colours, and the room that there is."""
 
     painter: QPainter
     palette: Palette
     room: QRectF
+    taken: QRectF
+    """Where something else is written."""
 
     @property
     def line(self) -> float:
@@ -129,6 +131,8 @@ def _box(sheet: Sheet, element: QRectF, size: QSizeF) -> QRectF:
     line = sheet.line
     box = QRectF(0, 0, size.width() + 2 * _BESIDE * line, size.height() + 2 * _ABOVE * line)
     box.moveTopRight(sheet.room.topRight() + QPointF(-line, line))
+    if box.intersects(sheet.taken):
+        box.moveTop(sheet.taken.bottom() + line)
     if box.adjusted(-line, -line, line, line).intersects(element):
         box.moveBottom(sheet.room.bottom() - 4 * line)
     return box

@@ -18,10 +18,10 @@ def legend_of(scene: Scene) -> tuple[str, list[Entry]]:
     return scene.assessment.rule_set.title, entries(scene.assessment, scene.quality.inverted_count)
 
 
-def draw_legend(painter: QPainter, palette: Palette, corner: QPointF, title: str, rows: list[Entry]) -> None:
-    """Draw title and entries below one another from a corner on, on a ground that lets the plate through."""
+def draw_legend(painter: QPainter, palette: Palette, corner: QPointF, title: str, rows: list[Entry]) -> QRectF:
+    """Draw title and entries below one another from a corner on, on a ground of their own; the place they take."""
     if not rows:
-        return
+        return QRectF()
     painter.save()
     painter.setFont(sized(painter.font(), CAPTION))
     letters, bold = painter.fontMetrics(), QFont(painter.font())
@@ -41,6 +41,7 @@ def draw_legend(painter: QPainter, palette: Palette, corner: QPointF, title: str
     painter.drawText(place, _LEFT, title)
     _draw_entries(painter, palette, place, rows)
     painter.restore()
+    return box
 
 
 def _draw_entries(painter: QPainter, palette: Palette, place: QRectF, rows: list[Entry]) -> None:

@@ -83,9 +83,9 @@ class Overlay(QWidget):
             self._paint_hovered(painter, self.camera)
             self._paint_axes(painter, self.camera)
             self._paint_bar(painter, self.camera.pixel)
-            self._paint_inspection(painter, self.camera)
             corner = QPointF(self.fontMetrics().height(), self.fontMetrics().height())
-            draw_legend(painter, self.palette_shown, corner, *self._legend)
+            taken = draw_legend(painter, self.palette_shown, corner, *self._legend)
+            self._paint_inspection(painter, self.camera, taken)
         self._paint_notice(painter)
         self._paint_tip(painter)
         painter.end()
@@ -110,10 +110,10 @@ class Overlay(QWidget):
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawPolygon(self._polygon(camera, self._hovered))
 
-    def _paint_inspection(self, painter: QPainter, camera: Camera) -> None:
+    def _paint_inspection(self, painter: QPainter, camera: Camera, taken: QRectF) -> None:
         if self._inspection is not None:
             outline = self._polygon(camera, self._inspection.anatomy.corners).toList()
-            draw_dimensions(Sheet(painter, self.palette_shown, QRectF(self.rect())), outline, self._inspection)
+            draw_dimensions(Sheet(painter, self.palette_shown, QRectF(self.rect()), taken), outline, self._inspection)
 
     def _paint_bar(self, painter: QPainter, pixel: float) -> None:
         letter = self.fontMetrics().height()

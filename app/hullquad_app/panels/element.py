@@ -80,13 +80,15 @@ class ElementPanel(QWidget):
         self.title.setText(self.tr("Element {label}, {kind}").format(label=found.label, kind=kind))
         lengths = [length_words(length) for length in found.anatomy.edge_lengths.tolist()]
         angles = [f"{angle:.1f}°" for angle in found.anatomy.corner_angles.tolist()]
-        corners = self.tr("Corners {angles}")
+        tip = ""
         if found.worst_corner is not None:
-            angles[found.worst_corner] = f"<b>{angles[found.worst_corner]}</b>"
-            corners = self.tr("Corners {angles} (<b>worst</b> by {metric})")
+            worst = self.tr("<b>{angle} worst</b>").format(angle=angles[found.worst_corner])
+            angles[found.worst_corner] = worst
+            tip = self.tr("The worst corner is that by {metric}").format(metric=name_of(found.metric))
+        self.shape.setToolTip(tip)
         lines = (
             self.tr("Edges {lengths}").format(lengths=" · ".join(lengths)),
-            corners.format(angles=" · ".join(angles), metric=name_of(found.metric)),
+            self.tr("Corners {angles}").format(angles=" · ".join(angles)),
         )
         self.shape.setText("<br>".join(lines))
 

@@ -1,4 +1,4 @@
-"""What the chosen rule set says: elements by their worst rule, and every rule with those that break it."""
+"""What the chosen rule set says: every rule with the elements that break it."""
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QFont
@@ -6,7 +6,6 @@ from PySide6.QtWidgets import QHeaderView, QLabel, QSizePolicy, QVBoxLayout, QWi
 
 from hullquad_app.colours import COLOUR_MAPS, LIGHT, ColourMap, Palette
 from hullquad_app.panels.ground import coloured, dress
-from hullquad_app.panels.level_counts import LevelCounts
 from hullquad_app.panels.pace import Pace
 from hullquad_app.panels.rule_rows import COLUMNS, RuleModel
 from hullquad_app.panels.table import Table
@@ -31,7 +30,7 @@ class RulesPanel(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._scene, self._listed = Scene(), Scene()
-        self.title, self.counts = QLabel(), LevelCounts()
+        self.title = QLabel()
         self.model = RuleModel(self)
         self.table = Table(self.model, empty=self.tr("Choose a rule set at “Judge by”"))
         self.table.setAccessibleName(self.tr("Rules"))
@@ -56,7 +55,6 @@ class RulesPanel(QWidget):
         """Draw in the colours of a theme."""
         dress(self, palette)
         coloured(self.title, palette.text)
-        self.counts.set_palette(palette)
         self.table.set_palette(palette)
         self.model.set_palette(palette)
 
@@ -65,9 +63,7 @@ class RulesPanel(QWidget):
         rules = None if self._scene.assessment is None else self._scene.assessment.rule_set
         self.title.setText("" if rules is None else rules.title)
         self.title.setToolTip("" if rules is None else about(rules))
-        for widget in (self.title, self.counts):
-            widget.setVisible(rules is not None)
-        self.counts.show_scene(self._scene)
+        self.title.setVisible(rules is not None)
         self.model.show_assessment(self._scene.assessment)
         self._fit()
         self._select()
@@ -90,22 +86,17 @@ class RulesPanel(QWidget):
         font.setWeight(QFont.Weight.DemiBold)
         self.title.setFont(font)
         self.title.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        head = QVBoxLayout()
-        head.setContentsMargins(10, 6, 10, 4)
-        head.setSpacing(2)
-        head.addWidget(self.title)
-        head.addWidget(self.counts)
+        self.title.setContentsMargins(10, 6, 10, 4)
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
         column.setSpacing(0)
-        column.addLayout(head)
+        column.addWidget(self.title)
         column.addWidget(self.table, stretch=1)
         header = self.table.horizontalHeader()
         header.setMinimumSectionSize(1)
         header.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         header.setSectionResizeMode(COLUMNS.index("rule"), QHeaderView.ResizeMode.Stretch)
-        for widget in (self.title, self.counts):
-            widget.hide()
+        self.title.hide()
 
     def _fit(self) -> None:
         """Give the numbers what they need and the rule the rest."""

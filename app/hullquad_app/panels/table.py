@@ -11,6 +11,7 @@ from PySide6.QtCore import (
     QPersistentModelIndex,
     QRect,
     QRectF,
+    QSize,
     Qt,
     Signal,
 )
@@ -144,6 +145,10 @@ class Table(QTableView):
             painter.setFont(sized(self.font(), CAPTION))
             painter.setPen(self.palette().placeholderText().color())
             painter.drawText(self.viewport().rect(), Qt.AlignmentFlag.AlignCenter, self._empty)
+
+    def minimumSizeHint(self) -> QSize:
+        """The header and a row or two."""
+        return QSize(super().minimumSizeHint().width(), round(4 * self.fontMetrics().height()))
 
     def width_of(self, *texts: str, bold: bool = False) -> int:
         """Width of a column in which any of the texts fits."""
