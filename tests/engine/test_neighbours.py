@@ -18,8 +18,10 @@ from hullquad.plate import Document, Line, Plate, Sizes, closed_loop
 from hullquad.surface import Plane
 from hullquad.triangulation.concerns import division_concerns, gap_concerns
 from hullquad.triangulation.contour import Contour, attempts, contours
-from hullquad.triangulation.edges import edge_counts, redivided, remedied, remedy
+from hullquad.triangulation.edges import edge_counts, redivided
+from hullquad.triangulation.evening import evened
 from hullquad.triangulation.neighbours import neighbours
+from hullquad.triangulation.remedies import remedied, remedy
 
 PLATES = Path(__file__).parents[2] / "assets" / "plates"
 SAMPLES = [read_plates(path) for path in sorted(PLATES.glob("*.json"))]
@@ -422,3 +424,26 @@ def test_a_block_can_be_made_even_plate_by_plate():
         if change.odd == 0:
             break
     assert np.all([count > 0 for row in edge_counts(described, "F0", "coarse") for count in row])
+
+
+@pytest.mark.parametrize("size", ["coarse", "fine", 171.0, 333.0])
+def test_all_contours_of_a_block_are_made_even_at_once(size):
+    mended = evened(BLOCK, size)
+    assert not odd(mended, size)
+    assert_conforming(contours(mended, size))
+
+
+@given(boxes())
+@settings(max_examples=25, deadline=None)
+def test_making_contours_even_leaves_fewer_odd(plates):
+    described = document(*plates)
+    mended = evened(described)
+    assert len(odd(mended)) < max(1, len(odd(described)))
+    assert_conforming(contours(mended))
+
+
+def test_an_edit_of_divisions_finds_what_the_plates_have_in_common_again():
+    edited = redivided(BLOCK, "F0", 0, 1, 4)
+    one, other = (neighbours(tuple(p for p in d.plates if p.is_plane)) for d in (BLOCK, edited))
+    assert other.joints is one.joints
+    assert other.frame.plates[7] is edited.plate("F0")

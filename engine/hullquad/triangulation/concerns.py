@@ -8,9 +8,9 @@ import shapely
 
 from hullquad.plate import JOIN, Document, Loop, Notice, Plate
 from hullquad.triangulation.contour import Contour
-from hullquad.triangulation.edges import edge_place, remedy
 from hullquad.triangulation.gaps import gaps
 from hullquad.triangulation.neighbours import neighbours
+from hullquad.triangulation.remedies import edge_place, remedy
 
 _DECIMALS = 1e-3
 """Coordinates in fewer decimals are not exact; a move of so little is none [mm]."""

@@ -102,11 +102,35 @@ class Neighbours:
         return Snap(item.place, item.own, node, float((point - plane.origin) @ plane.normal), name)
 
 
+@attrs.frozen(eq=False)
+class _Shapes:
+    """Plates of which only the shape counts: an edit of divisions or sizes finds what is known."""
+
+    plates: tuple[Plate, ...]
+
+    @property
+    def _parts(self) -> tuple[int, ...]:
+        parts = ("surface", "outer", "holes", "stiffeners", "seams", "fixed")
+        return tuple(id(getattr(plate, name)) for plate in self.plates for name in parts)
+
+    def __hash__(self) -> int:
+        return hash(self._parts)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Shapes) and self._parts == other._parts
+
+
 @lru_cache(maxsize=_DOCUMENTS_KEPT)
 def neighbours(plates: tuple[Plate, ...]) -> Neighbours:
     """What plane plates have in common; kept for the documents last asked for."""
-    frame = wireframe(plates)
-    fixed = tuple(anchors(plate) for plate in plates)
-    met = joints(frame, fixed)
-    found = strands(frame, met)
+    frame, fixed, met, found = _shared(_Shapes(plates))
+    frame = attrs.evolve(frame, plates=plates)
     return Neighbours(frame, fixed, met, found, wishes(frame, met, found))
+
+
+@lru_cache(maxsize=_DOCUMENTS_KEPT)
+def _shared(shapes: _Shapes) -> tuple[Wireframe, tuple[Anchors, ...], Joints, Strands]:
+    frame = wireframe(shapes.plates)
+    fixed = tuple(anchors(plate) for plate in shapes.plates)
+    met = joints(frame, fixed)
+    return frame, fixed, met, strands(frame, met)
