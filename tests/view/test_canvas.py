@@ -10,6 +10,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from hullquad.formats import read_plates
+from hullquad.metrics import metric
 from hullquad.topology import edges
 from hullquad_app.canvas import Canvas
 from hullquad_app.colours import DARK, LIGHT, PASS_FAIL, element_colours, rgb
@@ -385,3 +386,16 @@ def test_failing_outlines_are_drawn_only_where_elements_are_large_enough(canvas,
     for _ in range(40):
         wheel(canvas, QPoint(300, 200), -1)
     assert not is_visible(canvas, "failing")
+
+
+def test_what_the_contour_gives_is_hatched_where_there_is_room(canvas, document, give, coarse):
+    give(coarse)
+    document.look(metric=metric("longest_edge"))
+    assert document.scene.given.any()
+    assert shown(canvas, "hatching").n_cells > 0
+    canvas.viewpoint.zoom(1e-3, 0, 0)
+    document.look(bands={"longest_edge": (-np.inf, 60.0)})
+    assert shown(canvas, "hatching").n_cells == 0
+    document.look(metric=metric("stretch"))
+    canvas.fit()
+    assert shown(canvas, "hatching").n_cells == 0

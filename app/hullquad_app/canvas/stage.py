@@ -186,14 +186,15 @@ class Stage:
 
     def _hatch(self) -> None:
         """Hatch what the contour gives, light on dark elements."""
-        mesh, painted = self.scene.mesh, self._painting
+        layer, mesh, painted = self.layers["hatching"], self.scene.mesh, self._painting
         rows = np.empty(0, dtype=np.int64) if mesh is None or painted is None else np.flatnonzero(painted.hatched)
+        layer.clear()
         if mesh is None or painted is None or not len(rows):
-            self.layers["hatching"].clear()
             return
         lines, owners = hatching(mesh.points, mesh.topology.elements[rows], self._pixel)
-        self.layers["hatching"].set_segments(lines)
-        self.layers["hatching"].paint_cells(painted.hatch_colours(rows[owners]))
+        if len(lines):
+            layer.set_segments(lines)
+            layer.paint_cells(painted.hatch_colours(rows[owners]))
 
     def _show_inverted(self, mesh: Mesh, is_inverted: Bools) -> None:
         """On top, and without spilling out of concave ones, where VTK would fill the notch."""
