@@ -53,7 +53,7 @@ def remedy(document: Document, plate_id: str, size: float | str | None = None) -
     ]
     if not found:
         return None
-    difference, _, _, change = min(found, key=lambda item: item[:3])
+    difference, _, _, change = min(found, key=lambda item: (*item[:3], item[3].loop, item[3].edge, -item[3].number))
     return attrs.evolve(change, odd=difference)
 
 
