@@ -13,7 +13,7 @@ part of that along the normal of the mean plane: negative where concave, or wher
 direction that it must face.
 """
 
-from functools import cached_property, reduce
+from functools import cached_property
 from math import pi
 from typing import TypeVar
 
@@ -25,15 +25,12 @@ from hullquad.metrics.expression import (
     choice,
     cross,
     dot,
-    greater,
-    largest_component,
-    lesser,
+    openness,
+    shrinking,
+    shrunk_edge,
 )
 
 _Item = TypeVar("_Item")
-
-FLAT = 1e-12
-"""A corner's Jacobian over the square of the longest edge from which on a corner counts as open."""
 
 
 class Element:
@@ -49,25 +46,24 @@ class Element:
         """Direction that it must face; zero where only its own sense is known."""
         self.reference = Number(Op.INPUT, value=count + 1)
         """What its area is relative to [as the points, squared]."""
-
-    @cached_property
-    def _edges(self) -> list[Arrow]:
-        return [after - point for point, after in zip(self.points, _turned(self.points, 1), strict=True)]
-
-    @cached_property
-    def size(self) -> Number:
-        """Largest component of the edges [as the points]."""
-        return reduce(greater, [largest_component(edge) for edge in self._edges])
+        self.weight = Number(Op.INPUT, value=count + 2)
+        """How much it counts beside others, where somebody asks for it."""
 
     @cached_property
     def shrinking(self) -> Number:
-        """1 / size; 0 where all nodes are in one place."""
-        return 1.0 / self.size
+        """1 over the largest component of the edges; 0 where all nodes are in one place."""
+        return shrinking(self.points)
+
+    @property
+    def size(self) -> Number:
+        """Largest component of the edges [as the points]."""
+        return 1.0 / self.shrinking
 
     @cached_property
     def sides(self) -> list[Arrow]:
         """Edges over size, so that no product of them is too small or too large for a float."""
-        return [self.shrinking * edge for edge in self._edges]
+        ends = zip(self.points, _turned(self.points, 1), strict=True)
+        return [shrunk_edge(self.shrinking, start, end) for start, end in ends]
 
     @property
     def sides_before(self) -> list[Arrow]:
@@ -114,8 +110,8 @@ class Element:
 
     @cached_property
     def openness(self) -> Number:
-        """Above zero where every corner is open: convex, not collapsed, not against the direction to face."""
-        return reduce(lesser, self.jacobians) - FLAT * reduce(greater, self.squares)
+        """1 where every corner is open (convex, not collapsed) and the element faces as it must, else 0."""
+        return openness(self.sides, self.facing)
 
     @cached_property
     def relative_area(self) -> Number:

@@ -34,9 +34,28 @@ class Op(IntEnum):
     SCALE = 14
     DOT = 15
     CROSS = 16
-    LARGEST_COMPONENT = 17
-    EXTREME = 18
+    SQUARE = 17
+    LENGTH = 18
+    NEGATE = 19
+    NEGATE_VECTOR = 20
+    EXTREME = 21
     """First; its slopes by the following n are given as the n after them."""
+    MULTIPLY_ADD = 22
+    """First times second, plus third."""
+    SCALE_ADD = 23
+    """The same of a number and two vectors."""
+    CROSS_ADD = 24
+    """Vector product of the first two, plus third."""
+    EQUAL = 25
+    """1 where two numbers are equal, else 0. Without slopes."""
+    SHRINKING_3 = 26
+    SHRINKING_4 = 27
+    """1 over the largest component of the edges between so many points; 0 where there is none. Without slopes."""
+    SHRUNK_EDGE = 28
+    """A number times the way to the second vector from the third. Without slopes."""
+    OPENNESS_3 = 29
+    OPENNESS_4 = 30
+    """1 where every corner between so many edges is open and the element faces the first operand, else 0."""
 
 
 @attrs.frozen(eq=False)
@@ -49,7 +68,10 @@ class Number:
     """Of a constant; which one of an input."""
 
     def __add__(self, other: "Number | float") -> "Number":
-        return Number(Op.ADD, (self, number(other)))
+        other = number(other)
+        if other.op is Op.NEGATE:
+            return Number(Op.SUBTRACT, (self, *other.operands))
+        return Number(Op.ADD, (self, other))
 
     __radd__ = __add__
 
@@ -62,7 +84,10 @@ class Number:
     def __mul__(self, other: "Number | float") -> "Number":
         if isinstance(other, Arrow):  # which knows how to be multiplied
             return NotImplemented
-        return Number(Op.MULTIPLY, (self, number(other)))
+        other = number(other)
+        if self.is_one:
+            return other
+        return self if other.is_one else Number(Op.MULTIPLY, (self, other))
 
     __rmul__ = __mul__
 
@@ -73,7 +98,12 @@ class Number:
         return number(other) / self
 
     def __neg__(self) -> "Number":
-        return number(-1.0) * self
+        return Number(Op.NEGATE, (self,))
+
+    @property
+    def is_one(self) -> bool:
+        """Whether it is the constant 1."""
+        return self.op is Op.CONSTANT and self.value == 1.0
 
     def __abs__(self) -> "Number":
         return Number(Op.ABSOLUTE, (self,))
@@ -92,26 +122,29 @@ class Arrow:
     value: float = 0.0
 
     def __add__(self, other: "Arrow") -> "Arrow":
+        if other.op is Op.NEGATE_VECTOR:
+            return Arrow(Op.SUBTRACT_VECTORS, (self, *other.operands))
         return Arrow(Op.ADD_VECTORS, (self, other))
 
     def __sub__(self, other: "Arrow") -> "Arrow":
         return Arrow(Op.SUBTRACT_VECTORS, (self, other))
 
     def __rmul__(self, factor: "Number | float") -> "Arrow":
-        return Arrow(Op.SCALE, (number(factor), self))
+        factor = number(factor)
+        return self if factor.is_one else Arrow(Op.SCALE, (factor, self))
 
     def __neg__(self) -> "Arrow":
-        return -1.0 * self
+        return Arrow(Op.NEGATE_VECTOR, (self,))
 
     @property
     def square(self) -> Number:
         """Squared length."""
-        return dot(self, self)
+        return Number(Op.SQUARE, (self,))
 
     @property
     def length(self) -> Number:
         """Length."""
-        return root(self.square)
+        return Number(Op.LENGTH, (self,))
 
 
 Node = Number | Arrow
@@ -147,9 +180,19 @@ def choice(condition: Number, positive: Number | float, otherwise: Number | floa
     return Number(Op.CHOOSE, (condition, number(positive), number(otherwise)))
 
 
-def largest_component(vector: Arrow) -> Number:
-    """Largest of the three components, without their signs; without slopes."""
-    return Number(Op.LARGEST_COMPONENT, (vector,))
+def shrinking(points: Sequence[Arrow]) -> Number:
+    """1 over the largest component of the edges between three or four points; 0 where there is none."""
+    return Number(Op.SHRINKING_3 if len(points) == 3 else Op.SHRINKING_4, tuple(points))
+
+
+def shrunk_edge(factor: Number, start: Arrow, end: Arrow) -> Arrow:
+    """A number times the way from one point to another."""
+    return Arrow(Op.SHRUNK_EDGE, (factor, end, start))
+
+
+def openness(sides: Sequence[Arrow], facing: Arrow) -> Number:
+    """1 where every corner is open (convex, not collapsed) and the element faces as it must, else 0."""
+    return Number(Op.OPENNESS_3 if len(sides) == 3 else Op.OPENNESS_4, (facing, *sides))
 
 
 def lesser(a: Number, b: Number) -> Number:
@@ -160,6 +203,11 @@ def lesser(a: Number, b: Number) -> Number:
 def greater(a: Number, b: Number) -> Number:
     """The greater of two numbers; without slopes."""
     return Number(Op.GREATEST, (a, b))
+
+
+def equal(a: Number, b: Number) -> Number:
+    """1 where two numbers are equal, else 0."""
+    return Number(Op.EQUAL, (a, b))
 
 
 def extreme(value: Number, items: Sequence[Number], slopes: Sequence[Number]) -> Number:

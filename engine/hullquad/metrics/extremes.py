@@ -13,7 +13,7 @@ ones. Numbers whose extreme is not positive have no power mean: they get their e
 from collections.abc import Sequence
 from functools import reduce
 
-from hullquad.metrics.expression import Number, choice, extreme, greater, lesser, root
+from hullquad.metrics.expression import Number, choice, equal, extreme, greater, lesser, root
 
 
 def least(items: Sequence[Number], doublings: int | None) -> Number:
@@ -21,28 +21,30 @@ def least(items: Sequence[Number], doublings: int | None) -> Number:
     low = reduce(lesser, items)
     shares = [low.over(item, 1.0) for item in items]
     if doublings is None:
-        return extreme(low, items, _ties([item - low for item in items]))
+        return extreme(low, items, _ties(low, items))
     powers, total, mean_root = _powers(shares, doublings)
-    smooth = [power * share / (total * mean_root) for power, share in zip(powers, shares, strict=True)]
-    return _where_positive(low, low / mean_root, items, _ties([item - low for item in items]), smooth)
+    factor = 1.0 / (total * mean_root)
+    smooth = [power * share * factor for power, share in zip(powers, shares, strict=True)]
+    return _where_positive(low, low / mean_root, items, _ties(low, items), smooth)
 
 
 def greatest(items: Sequence[Number], doublings: int | None) -> Number:
     """The greatest of some numbers, or their power mean with exponent 2^doublings."""
     high = reduce(greater, items)
     if doublings is None:
-        return extreme(high, items, _ties([high - item for item in items]))
+        return extreme(high, items, _ties(high, items))
     shares = [item.over(high, 1.0) for item in items]
     powers, total, mean_root = _powers(shares, doublings)
-    smooth = [power / share * mean_root / total for power, share in zip(powers, shares, strict=True)]
-    return _where_positive(high, high * mean_root, items, _ties([high - item for item in items]), smooth)
+    factor = mean_root / total
+    smooth = [power / share * factor for power, share in zip(powers, shares, strict=True)]
+    return _where_positive(high, high * mean_root, items, _ties(high, items), smooth)
 
 
-def _ties(distances: Sequence[Number]) -> list[Number]:
-    """Equal shares of those at no distance from the extreme."""
-    flags = [choice(distance, 0.0, 1.0) for distance in distances]
-    total = sum(flags[1:], flags[0])
-    return [flag / total for flag in flags]
+def _ties(value: Number, items: Sequence[Number]) -> list[Number]:
+    """Equal shares of those that are the extreme."""
+    flags = [equal(value, item) for item in items]
+    share = 1.0 / sum(flags[1:], flags[0])
+    return [flag * share for flag in flags]
 
 
 def _powers(shares: Sequence[Number], doublings: int) -> tuple[list[Number], Number, Number]:

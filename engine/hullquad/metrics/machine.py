@@ -9,12 +9,21 @@ from hullquad.metrics.compiled import compiled
 from hullquad.metrics.expression import Op
 from hullquad.metrics.program import LANES
 
-_ADD, _SUBTRACT, _MULTIPLY, _DIVIDE, _ROOT = map(int, (Op.ADD, Op.SUBTRACT, Op.MULTIPLY, Op.DIVIDE, Op.ROOT))
-_LEAST, _GREATEST, _ABSOLUTE, _CHOOSE, _ARC = map(int, (Op.LEAST, Op.GREATEST, Op.ABSOLUTE, Op.CHOOSE, Op.ARC))
-_ADD_VECTORS, _SUBTRACT_VECTORS, _SCALE = map(int, (Op.ADD_VECTORS, Op.SUBTRACT_VECTORS, Op.SCALE))
-_DOT, _CROSS, _LARGEST_COMPONENT = map(int, (Op.DOT, Op.CROSS, Op.LARGEST_COMPONENT))
-_ROW, _Y, _Z = np.uint64(LANES), np.uint64(LANES), np.uint64(2 * LANES)
-_TAN_PI_8 = 2.0**0.5 - 1.0
+FLAT = 1e-12
+"""A corner's Jacobian over the square of the longest edge from which on a corner counts as open."""
+
+_ADD, _SUBTRACT, _MULTIPLY, _MULTIPLY_ADD = map(int, (Op.ADD, Op.SUBTRACT, Op.MULTIPLY, Op.MULTIPLY_ADD))
+_DIVIDE, _ROOT, _NEGATE, _ABSOLUTE = map(int, (Op.DIVIDE, Op.ROOT, Op.NEGATE, Op.ABSOLUTE))
+_LEAST, _GREATEST, _CHOOSE, _ARC = map(int, (Op.LEAST, Op.GREATEST, Op.CHOOSE, Op.ARC))
+_ADD_VECTORS, _SUBTRACT_VECTORS, _NEGATE_VECTOR = map(int, (Op.ADD_VECTORS, Op.SUBTRACT_VECTORS, Op.NEGATE_VECTOR))
+_SCALE, _SCALE_ADD, _DOT, _CROSS = map(int, (Op.SCALE, Op.SCALE_ADD, Op.DOT, Op.CROSS))
+_SQUARE, _LENGTH, _CROSS_ADD, _EQUAL = map(int, (Op.SQUARE, Op.LENGTH, Op.CROSS_ADD, Op.EQUAL))
+_SHRUNK_EDGE = int(Op.SHRUNK_EDGE)
+_SHRINKING_3, _SHRINKING_4 = int(Op.SHRINKING_3), int(Op.SHRINKING_4)
+_OPENNESS_3, _OPENNESS_4 = int(Op.OPENNESS_3), int(Op.OPENNESS_4)
+
+_ROW, _Y, _Z = np.uint64(LANES), np.uint64(LANES), np.uint64(2 * LANES)  # places that are not below zero
+_TAN_PI_8 = sqrt(2.0) - 1.0
 
 
 @compiled
@@ -23,28 +32,42 @@ def run(steps: Ints, r: Floats) -> None:  # noqa: PLR0912, PLR0915  a table that
     for k in range(len(steps)):
         op = steps[k, 0]
         o, a, b, c = np.uint64(steps[k, 1]), np.uint64(steps[k, 2]), np.uint64(steps[k, 3]), np.uint64(steps[k, 4])
+        d, e = np.uint64(steps[k, 5]), np.uint64(steps[k, 6])
         if op == _ADD:
             for i in range(_ROW):
                 r[o + i] = r[a + i] + r[b + i]
+        elif op == _SUBTRACT:
+            for i in range(_ROW):
+                r[o + i] = r[a + i] - r[b + i]
         elif op == _MULTIPLY:
             for i in range(_ROW):
                 r[o + i] = r[a + i] * r[b + i]
-        elif op == _SCALE:
+        elif op == _MULTIPLY_ADD:
             for i in range(_ROW):
-                factor = r[a + i]
-                r[o + i] = factor * r[b + i]
-                r[o + _Y + i] = factor * r[b + _Y + i]
-                r[o + _Z + i] = factor * r[b + _Z + i]
-        elif op == _DOT:
+                r[o + i] = r[a + i] * r[b + i] + r[c + i]
+        elif op == _DIVIDE:
             for i in range(_ROW):
-                r[o + i] = r[a + i] * r[b + i] + r[a + _Y + i] * r[b + _Y + i] + r[a + _Z + i] * r[b + _Z + i]
-        elif op == _CROSS:
+                r[o + i] = r[a + i] / r[b + i] if r[b + i] > 0.0 else r[c + i]
+        elif op == _ROOT:
             for i in range(_ROW):
-                ax, ay, az = r[a + i], r[a + _Y + i], r[a + _Z + i]
-                bx, by, bz = r[b + i], r[b + _Y + i], r[b + _Z + i]
-                r[o + i] = ay * bz - az * by
-                r[o + _Y + i] = az * bx - ax * bz
-                r[o + _Z + i] = ax * by - ay * bx
+                r[o + i] = sqrt(r[a + i])
+        elif op == _NEGATE:
+            for i in range(_ROW):
+                r[o + i] = -r[a + i]
+        elif op == _ABSOLUTE:
+            for i in range(_ROW):
+                r[o + i] = abs(r[a + i])
+        elif op == _LEAST:
+            for i in range(_ROW):
+                r[o + i] = min(r[a + i], r[b + i])
+        elif op == _GREATEST:
+            for i in range(_ROW):
+                r[o + i] = max(r[a + i], r[b + i])
+        elif op == _CHOOSE:
+            for i in range(_ROW):
+                r[o + i] = r[b + i] if r[a + i] > 0.0 else r[c + i]
+        elif op == _ARC:
+            _arc(r, o, a, b)
         elif op == _ADD_VECTORS:
             for i in range(_ROW):
                 r[o + i] = r[a + i] + r[b + i]
@@ -55,49 +78,144 @@ def run(steps: Ints, r: Floats) -> None:  # noqa: PLR0912, PLR0915  a table that
                 r[o + i] = r[a + i] - r[b + i]
                 r[o + _Y + i] = r[a + _Y + i] - r[b + _Y + i]
                 r[o + _Z + i] = r[a + _Z + i] - r[b + _Z + i]
-        elif op == _SUBTRACT:
+        elif op == _NEGATE_VECTOR:
             for i in range(_ROW):
-                r[o + i] = r[a + i] - r[b + i]
-        elif op == _DIVIDE:
+                r[o + i], r[o + _Y + i], r[o + _Z + i] = -r[a + i], -r[a + _Y + i], -r[a + _Z + i]
+        elif op == _SCALE:
             for i in range(_ROW):
-                r[o + i] = r[a + i] / r[b + i] if r[b + i] > 0.0 else r[c + i]
-        elif op == _ROOT:
+                factor = r[a + i]
+                r[o + i] = factor * r[b + i]
+                r[o + _Y + i] = factor * r[b + _Y + i]
+                r[o + _Z + i] = factor * r[b + _Z + i]
+        elif op == _SCALE_ADD:
             for i in range(_ROW):
-                r[o + i] = sqrt(r[a + i])
-        elif op == _LEAST:
+                factor = r[a + i]
+                r[o + i] = factor * r[b + i] + r[c + i]
+                r[o + _Y + i] = factor * r[b + _Y + i] + r[c + _Y + i]
+                r[o + _Z + i] = factor * r[b + _Z + i] + r[c + _Z + i]
+        elif op == _DOT:
             for i in range(_ROW):
-                r[o + i] = min(r[a + i], r[b + i])
-        elif op == _GREATEST:
+                r[o + i] = r[a + i] * r[b + i] + r[a + _Y + i] * r[b + _Y + i] + r[a + _Z + i] * r[b + _Z + i]
+        elif op == _SQUARE:
             for i in range(_ROW):
-                r[o + i] = max(r[a + i], r[b + i])
-        elif op == _CHOOSE:
+                x, y, z = r[a + i], r[a + _Y + i], r[a + _Z + i]
+                r[o + i] = x * x + y * y + z * z
+        elif op == _LENGTH:
             for i in range(_ROW):
-                r[o + i] = r[b + i] if r[a + i] > 0.0 else r[c + i]
-        elif op == _ABSOLUTE:
+                x, y, z = r[a + i], r[a + _Y + i], r[a + _Z + i]
+                r[o + i] = sqrt(x * x + y * y + z * z)
+        elif op == _CROSS:
             for i in range(_ROW):
-                r[o + i] = abs(r[a + i])
-        elif op == _LARGEST_COMPONENT:
+                ax, ay, az = r[a + i], r[a + _Y + i], r[a + _Z + i]
+                bx, by, bz = r[b + i], r[b + _Y + i], r[b + _Z + i]
+                r[o + i] = ay * bz - az * by
+                r[o + _Y + i] = az * bx - ax * bz
+                r[o + _Z + i] = ax * by - ay * bx
+        elif op == _CROSS_ADD:
             for i in range(_ROW):
-                r[o + i] = max(abs(r[a + i]), abs(r[a + _Y + i]), abs(r[a + _Z + i]))
-        elif op == _ARC:
+                ax, ay, az = r[a + i], r[a + _Y + i], r[a + _Z + i]
+                bx, by, bz = r[b + i], r[b + _Y + i], r[b + _Z + i]
+                r[o + i] = ay * bz - az * by + r[c + i]
+                r[o + _Y + i] = az * bx - ax * bz + r[c + _Y + i]
+                r[o + _Z + i] = ax * by - ay * bx + r[c + _Z + i]
+        elif op == _EQUAL:
             for i in range(_ROW):
-                sine, across = r[a + i], abs(r[b + i])
-                low, high = min(sine, across), max(sine, across)
-                tangent = low / high if high > 0.0 else 0.0
-                is_wide = tangent > _TAN_PI_8
-                reduced = (low - high) / (low + high) if is_wide else tangent
-                z = reduced * reduced
-                arc = -0.03338782450121195 + z * 0.015113765096600925
-                arc = 0.04499500728984032 + z * arc
-                arc = -0.05217312574061591 + z * arc
-                arc = 0.05876834004614161 + z * arc
-                arc = -0.06666205259976526 + z * arc
-                arc = 0.07692281099937744 + z * arc
-                arc = -0.09090908059031191 + z * arc
-                arc = 0.11111111085322109 + z * arc
-                arc = -0.1428571428532971 + z * arc
-                arc = 0.19999999999997015 + z * arc
-                arc = -0.33333333333333326 + z * arc
-                arc = reduced + reduced * z * arc + (0.25 * pi if is_wide else 0.0)
-                arc = 0.5 * pi - arc if sine > across else arc
-                r[o + i] = pi - arc if r[b + i] < 0.0 else arc
+                r[o + i] = 1.0 if r[a + i] == r[b + i] else 0.0
+        elif op == _SHRUNK_EDGE:
+            for i in range(_ROW):
+                factor = r[a + i]
+                r[o + i] = factor * (r[b + i] - r[c + i])
+                r[o + _Y + i] = factor * (r[b + _Y + i] - r[c + _Y + i])
+                r[o + _Z + i] = factor * (r[b + _Z + i] - r[c + _Z + i])
+        elif op == _SHRINKING_3:
+            _shrinking(r, o, a, b, c, a)
+        elif op == _SHRINKING_4:
+            _shrinking(r, o, a, b, c, d)
+        elif op == _OPENNESS_3:
+            _triangle_openness(r, o, a, b, c, d)
+        elif op == _OPENNESS_4:
+            _quad_openness(r, o, a, b, c, d, e)
+
+
+@compiled
+def _arc(r: Floats, o: np.uint64, a: np.uint64, b: np.uint64) -> None:
+    """Angle of a sine and a cosine.
+
+    A turn by 90° and then by 45° leaves a tangent up to tan(pi / 8), whose arc is a polynomial: the Chebyshev
+    interpolation of atan(√z) / √z on [0, tan(pi / 8)²], right to the last digits. It is exact near 0 and near pi,
+    and unlike a library's function it is worked out for many at once.
+    """
+    for i in range(_ROW):
+        sine, across = r[a + i], abs(r[b + i])
+        low, high = min(sine, across), max(sine, across)
+        tangent = low / high if high > 0.0 else 0.0
+        is_wide = tangent > _TAN_PI_8
+        reduced = (low - high) / (low + high) if is_wide else tangent
+        z = reduced * reduced
+        arc = -0.03338782450121195 + z * 0.015113765096600925
+        arc = 0.04499500728984032 + z * arc
+        arc = -0.05217312574061591 + z * arc
+        arc = 0.05876834004614161 + z * arc
+        arc = -0.06666205259976526 + z * arc
+        arc = 0.07692281099937744 + z * arc
+        arc = -0.09090908059031191 + z * arc
+        arc = 0.11111111085322109 + z * arc
+        arc = -0.1428571428532971 + z * arc
+        arc = 0.19999999999997015 + z * arc
+        arc = -0.33333333333333326 + z * arc
+        arc = reduced + reduced * z * arc + (0.25 * pi if is_wide else 0.0)
+        arc = 0.5 * pi - arc if sine > across else arc
+        r[o + i] = pi - arc if r[b + i] < 0.0 else arc
+
+
+@compiled
+def _shrinking(r: Floats, o: np.uint64, a: np.uint64, b: np.uint64, c: np.uint64, d: np.uint64) -> None:
+    for i in range(_ROW):
+        ax, ay, az = r[a + i], r[a + _Y + i], r[a + _Z + i]
+        bx, by, bz = r[b + i], r[b + _Y + i], r[b + _Z + i]
+        cx, cy, cz = r[c + i], r[c + _Y + i], r[c + _Z + i]
+        dx, dy, dz = r[d + i], r[d + _Y + i], r[d + _Z + i]
+        first = max(abs(bx - ax), abs(by - ay), abs(bz - az))
+        second = max(abs(cx - bx), abs(cy - by), abs(cz - bz))
+        third = max(abs(dx - cx), abs(dy - cy), abs(dz - cz))
+        fourth = max(abs(ax - dx), abs(ay - dy), abs(az - dz))
+        size = max(first, second, third, fourth)
+        r[o + i] = 1.0 / size if size > 0.0 else 0.0
+
+
+@compiled
+def _quad_openness(
+    r: Floats, o: np.uint64, f: np.uint64, a: np.uint64, b: np.uint64, c: np.uint64, d: np.uint64
+) -> None:
+    for i in range(_ROW):
+        ax, ay, az = r[a + i], r[a + _Y + i], r[a + _Z + i]
+        bx, by, bz = r[b + i], r[b + _Y + i], r[b + _Z + i]
+        cx, cy, cz = r[c + i], r[c + _Y + i], r[c + _Z + i]
+        dx, dy, dz = r[d + i], r[d + _Y + i], r[d + _Z + i]
+        ux, uy, uz, vx, vy, vz = ax - cx, ay - cy, az - cz, bx - dx, by - dy, bz - dz
+        nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
+        first = nx * (dy * az - dz * ay) + ny * (dz * ax - dx * az) + nz * (dx * ay - dy * ax)
+        second = nx * (ay * bz - az * by) + ny * (az * bx - ax * bz) + nz * (ax * by - ay * bx)
+        third = nx * (by * cz - bz * cy) + ny * (bz * cx - bx * cz) + nz * (bx * cy - by * cx)
+        fourth = nx * (cy * dz - cz * dy) + ny * (cz * dx - cx * dz) + nz * (cx * dy - cy * dx)
+        against = nx * r[f + i] + ny * r[f + _Y + i] + nz * r[f + _Z + i] < 0.0
+        least = min(first, second, third, fourth)
+        length = sqrt(nx * nx + ny * ny + nz * nz)
+        longest = max(ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz)
+        longest = max(longest, cx * cx + cy * cy + cz * cz, dx * dx + dy * dy + dz * dz)
+        is_open = least > FLAT * longest * length
+        r[o + i] = 1.0 if is_open and not against else 0.0
+
+
+@compiled
+def _triangle_openness(r: Floats, o: np.uint64, f: np.uint64, a: np.uint64, b: np.uint64, c: np.uint64) -> None:
+    for i in range(_ROW):
+        ax, ay, az = r[a + i], r[a + _Y + i], r[a + _Z + i]
+        bx, by, bz = r[b + i], r[b + _Y + i], r[b + _Z + i]
+        cx, cy, cz = r[c + i], r[c + _Y + i], r[c + _Z + i]
+        nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
+        against = nx * r[f + i] + ny * r[f + _Y + i] + nz * r[f + _Z + i] < 0.0
+        length = sqrt(nx * nx + ny * ny + nz * nz)
+        longest = max(ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz)
+        longest = max(longest, cx * cx + cy * cy + cz * cz)
+        r[o + i] = 1.0 if length > FLAT * longest and not against else 0.0

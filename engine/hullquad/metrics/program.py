@@ -1,5 +1,6 @@
 """Expressions as a list of steps on rows of numbers, for the machine that works them out for many elements at once."""
 
+from collections import Counter
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -12,14 +13,15 @@ LANES = 64
 """Elements that are worked on side by side: length of a row."""
 
 _Key = tuple[object, ...]
-_WIDTH = 5
+_JOINED = {Op.ADD: {Op.MULTIPLY: Op.MULTIPLY_ADD}, Op.ADD_VECTORS: {Op.SCALE: Op.SCALE_ADD, Op.CROSS: Op.CROSS_ADD}}
+_WIDTH = 7
 
 
 class Program(NamedTuple):
     """Steps that work out some expressions; rows are told by their number."""
 
     steps: Ints
-    """(K, 5) operation, row of the result, rows of up to three operands; a vector has three rows."""
+    """(K, 7) operation, row of the result, rows of up to five operands; a vector has three rows."""
     constants: Floats
     """(C,)"""
     constant_rows: Ints
@@ -44,6 +46,7 @@ class _Assembly:
         self._known: dict[_Key, Node] = {}
         self._same: dict[int, Node] = {}
         self._order = [node for node in ordered(outputs) if self._is_new(node)]
+        self._join_products_with_sums({id(self._same[id(node)]) for node in outputs})
         self._inputs = [self._same.get(id(node)) for node in inputs]
         self._outputs = [self._same[id(node)] for node in outputs]
         self._rows: dict[int, int] = {}
@@ -75,6 +78,22 @@ class _Assembly:
         self._same[id(node)] = first
         return first is node
 
+    def _join_products_with_sums(self, kept: set[int]) -> None:
+        """Make one step of a product and the only sum that it is a part of."""
+        uses = Counter(id(operand) for node in self._order for operand in self._operands(node))
+        joined: dict[int, Node] = {}
+        gone: set[int] = set()
+        for node in self._order:
+            for product, other in _both_ways(self._operands(node)) if node.op in _JOINED else ():
+                op = _JOINED[node.op].get(product.op)
+                if op is not None and uses[id(product)] == 1 and id(product) not in kept | gone:
+                    joined[id(node)] = type(node)(op, (*product.operands, other))
+                    gone.add(id(product))
+                    break
+        self._order = [joined.get(id(node), node) for node in self._order if id(node) not in gone]
+        self._same = {key: joined.get(id(node), node) for key, node in self._same.items()}
+        self._same |= {id(node): node for node in joined.values()}
+
     def _steps(self, work: list[Node]) -> list[list[int]]:
         last = {id(operand): number for number, node in enumerate(work) for operand in self._operands(node)}
         kept = {id(node) for node in self._outputs}
@@ -100,3 +119,8 @@ class _Assembly:
         row = self._length
         self._length += LANES * (3 if isinstance(node, Arrow) else 1)
         return row
+
+
+def _both_ways(pair: list[Node]) -> tuple[tuple[Node, Node], tuple[Node, Node]]:
+    first, second = pair
+    return (first, second), (second, first)

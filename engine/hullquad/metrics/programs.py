@@ -5,7 +5,7 @@ from functools import lru_cache
 
 from hullquad.metrics import formulas
 from hullquad.metrics.element import Element
-from hullquad.metrics.expression import Node
+from hullquad.metrics.expression import Node, shrunk_edge
 from hullquad.metrics.program import Program, program
 from hullquad.metrics.row import Metric
 from hullquad.metrics.slopes import slopes
@@ -17,26 +17,25 @@ _KEPT = 512
 def values_program(metrics: tuple[Metric, ...], count: int) -> Program:
     """Values by some metrics, then openness."""
     element = Element(count)
-    return _program(element, [formulas.value(metric, element) for metric in metrics])
+    return _program(element, [*(formulas.value(metric, element) for metric in metrics), element.openness])
 
 
 @lru_cache(_KEPT)
 def corners_program(metric: Metric, count: int) -> Program:
     """What each corner has by itself, then openness."""
     element = Element(count)
-    return _program(element, formulas.corner_values(metric, element))
+    return _program(element, [*formulas.corner_values(metric, element), element.openness])
 
 
 @lru_cache(_KEPT)
 def slopes_program(metric: Metric, count: int, doublings: int | None = None) -> Program:
-    """The value, exact or smooth, then openness, then slopes by each node's three coordinates."""
+    """The value, exact or smooth, then slopes by each node's three coordinates."""
     element = Element(count, doublings)
     value = formulas.value(metric, element)
     by_sides = slopes(value, element.sides)
-    by_nodes = [element.shrinking * (by_sides[node - 1] - by_sides[node]) for node in range(count)]
-    return _program(element, [value], by_nodes)
+    by_nodes = [shrunk_edge(element.shrinking, by_sides[node], by_sides[node - 1]) for node in range(count)]
+    return _program(element, [value, *by_nodes])
 
 
-def _program(element: Element, values: Sequence[Node], more: Sequence[Node] = ()) -> Program:
-    inputs: list[Node] = [*element.points, element.facing, element.reference]
-    return program([*values, element.openness, *more], inputs)
+def _program(element: Element, outputs: Sequence[Node]) -> Program:
+    return program(outputs, [*element.points, element.facing, element.reference])

@@ -29,7 +29,7 @@ def _depending(order: list[Node], inputs: Sequence[Arrow]) -> set[int]:
     return varies
 
 
-def _parts(node: Any, slope: Any) -> Iterator[tuple[Node, Any]]:
+def _parts(node: Any, slope: Any) -> Iterator[tuple[Node, Any]]:  # noqa: PLR0912  a table of rules
     """Operands of a node, and what its slope adds to theirs."""
     match node.op, node.operands:
         case Op.ADD | Op.ADD_VECTORS, (a, b):
@@ -38,14 +38,22 @@ def _parts(node: Any, slope: Any) -> Iterator[tuple[Node, Any]]:
             yield from ((a, slope), (b, -slope))
         case Op.MULTIPLY, (a, b):
             yield from ((a, slope * b), (b, slope * a))
-        case Op.DIVIDE, (a, b, _):
-            yield from ((a, slope / b), (b, -(slope * (node / b))))
+        case Op.DIVIDE, (a, b, otherwise):
+            part = slope / b
+            yield a, part
+            yield b, -(part * node if otherwise.value == 0.0 else slope * node / b)  # infinite where b is not above 0
         case Op.ROOT, (a,):
             yield a, 0.5 * slope / node
         case Op.ABSOLUTE, (a,):
             yield a, slope * (a / node)
         case Op.CHOOSE, (condition, a, b):
             yield from ((a, choice(condition, slope, 0.0)), (b, choice(condition, 0.0, slope)))
+        case Op.NEGATE | Op.NEGATE_VECTOR, (a,):
+            yield a, -slope
+        case Op.SQUARE, (a,):
+            yield a, (slope + slope) * a
+        case Op.LENGTH, (a,):
+            yield a, (slope / node) * a
         case Op.ARC, (sine, cosine):
             square = sine * sine + cosine * cosine
             yield from ((sine, slope * (cosine / square)), (cosine, -(slope * (sine / square))))
