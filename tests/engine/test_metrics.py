@@ -7,9 +7,9 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
 from hullquad.errors import HullquadError
-from hullquad.metrics import METRICS, metric
+from hullquad.metrics import METRICS, OBJECTIVES, formulas, metric
 from hullquad.metrics.row import MILLIMETRES
-from hullquad.metrics.values import all_judged, difference_gradient, judged_values, raw_values
+from hullquad.metrics.values import all_judged, corner_values, difference_gradient, judged_values, raw_values
 
 UP = np.array([[0.0, 0.0, 1.0]])
 KEYS = [row.key for row in METRICS]
@@ -169,3 +169,83 @@ def test_differences_follow_the_sum_along_any_direction(row, dented):
         for step in (1e-4, -1e-4)
     )
     assert_allclose((gradient * direction).sum(), (ahead - back) / 2e-4 / row.factor, rtol=1e-5)
+
+
+def repeated(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """A quad among others that are sound, more of them than are worked on at once."""
+    sound = np.array([(*node, 0.0) for node in SQUARE])
+    return np.concatenate([*[sound] * 100, points]), np.arange(404, dtype=np.int32).reshape(101, 4)
+
+
+BROKEN = {
+    "not a number": ((np.nan, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)),
+    "infinite": ((0, 0, 0), (np.inf, 0, 0), (1, 1, 0), (0, 1, 0)),
+    "infinite both ways": ((-np.inf, 0, 0), (np.inf, 0, 0), (1, np.inf, 0), (0, 1, np.nan)),
+    "too large for a float": ((-1e308, 0, 0), (1e308, 0, 0), (1e308, 1e308, 0), (-1e308, 1e308, 0)),
+    "repeated node": ((0, 0, 0), (1, 0, 0), (1, 0, 0), (0, 1, 0)),
+    "folded onto itself": ((0, 0, 0), (1, 0, 0), (0, 0, 0), (1, 0, 0)),
+}
+
+
+@pytest.mark.parametrize("nodes", BROKEN.values(), ids=BROKEN)
+def test_broken_elements_are_the_worst_there_are_and_spoil_no_other(nodes):
+    points, quads = repeated(np.array(nodes, dtype=float))
+    values, valid = all_judged(points, quads, np.zeros((1, 3)), np.array([1.0, 1.0]))
+    assert valid[:100].all()
+    assert not valid[100]
+    assert not np.isnan(values).any()
+    for row, sound, broken in zip(METRICS, values[0], values[100], strict=True):
+        assert row.is_worse(broken, sound), row.key
+        assert broken <= 0 if row.higher_is_better else broken >= 180
+
+
+@pytest.mark.parametrize("row", FREE_OF_SIZE, ids=lambda row: row.key)
+@pytest.mark.parametrize("size", [1e-300, 1e-160, 1e-20, 1e12, 1e150])
+def test_no_size_is_too_small_or_too_large(size, row):
+    points = np.array([(0, 0, 0), (3, 0, 0.1), (2.5, 2, 0), (0.2, 1.5, 0.2)])
+    area = np.array([7.0, 1.0])
+    if row.key in {"relative_size", "shear_and_size", "shape_and_size"}:
+        size = np.clip(size, 1e-140, 1e140)  # the mean area is a float, too
+    values, valid = judged_values(row, size * points, ONE_QUAD, UP, size**2 * area)
+    assert valid.all()
+    assert_allclose(values, judged_values(row, points, ONE_QUAD, UP, area)[0], rtol=1e-12, atol=1e-12)
+
+
+def test_a_mesh_of_triangles_alone_and_one_without_elements_are_judged():
+    points = np.array([(0, 0, 0), (3, 0, 0), (1, 2, 0.0)])
+    values, valid = all_judged(points, np.array([[0, 1, 2, -1]] * 70, dtype=np.int32), UP)
+    assert valid.all()
+    assert np.isfinite(values).all()
+    values, valid = all_judged(points, np.empty((0, 4), dtype=np.int32), UP)
+    assert values.shape == (0, len(METRICS))
+    assert valid.shape == (0,)
+
+
+def test_one_pass_gives_what_each_metric_gives_alone(reference_mesh):
+    mesh = reference_mesh("hopper_seg")
+    together, valid = all_judged(mesh.points, mesh.topology.elements, mesh.normals)
+    for row, column in zip(METRICS, together.T, strict=True):
+        alone, valid_alone = judged_values(row, mesh.points, mesh.topology.elements, mesh.normals)
+        np.testing.assert_array_equal(column, alone)
+        np.testing.assert_array_equal(valid, valid_alone)
+
+
+@pytest.mark.parametrize("row", [row for row in METRICS if row.is_of_corners], ids=lambda row: row.key)
+def test_a_metric_of_corners_is_the_worst_of_its_corners(row, reference_mesh):
+    mesh = reference_mesh("hopper_seg")
+    corners = corner_values(row, mesh.points, mesh.topology.elements, mesh.normals)
+    values, _ = judged_values(row, mesh.points, mesh.topology.elements, mesh.normals)
+    has_corners = ~np.isnan(corners).all(axis=1)
+    assert has_corners[~mesh.topology.is_triangle].all()
+    ideals = np.where(mesh.topology.is_triangle, (row.triangles or row.quads).ideal, row.quads.ideal)
+    worst = np.nanargmax(row.badness(corners[has_corners], ideals[has_corners, None]), axis=1)
+    found = np.take_along_axis(corners[has_corners], worst[:, None], axis=1)[:, 0]
+    assert_allclose(found, values[has_corners], rtol=1e-12, atol=1e-12)
+
+
+def test_the_table_tells_which_metrics_are_of_corners():
+    assert {row.key for row in METRICS if row.is_of_corners} == set(formulas.OF_CORNERS)
+
+
+def test_what_cannot_be_made_better_is_no_objective():
+    assert {row.key for row in METRICS} - {row.key for row in OBJECTIVES} == {"corner_angle", "abaqus_shape_factor"}

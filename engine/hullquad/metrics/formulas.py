@@ -46,7 +46,8 @@ _FORMULAS: dict[str, Formula] = {
 }
 _OTHER_FOR_TRIANGLES: dict[str, Formula] = {"patran_aspect_ratio": solvers.patran_triangle_aspect_ratio}
 
-_OF_CORNERS: dict[str, CornerFormula] = {
+# what each corner has, of metrics that the table says are of corners
+OF_CORNERS: dict[str, CornerFormula] = {
     "scaled_jacobian": table_1.scaled_jacobians,
     "shape": table_1.shapes,
     "min_angle": lambda element: element.interior_angles,
@@ -74,4 +75,4 @@ def corner_values(metric: Metric, element: Element) -> list[Number]:
     """What each corner has by itself; nothing for triangles whose form is not of corners."""
     if element.count == 3 and (metric.triangles is None or metric.key in _OF_QUAD_CORNERS):
         return []
-    return _OF_CORNERS[metric.key](element)
+    return OF_CORNERS[metric.key](element)
