@@ -17,6 +17,11 @@ AREAS = np.array([300.0**2, 150.0**2])
 WITH_STAND_IN = [row for row in OBJECTIVES if row.group in {"Kniat, Table 1", "ANSYS"}]
 
 
+def parted(quads: np.ndarray, triangles: np.ndarray) -> Elements:
+    """Elements that face up and count once."""
+    return Elements(quads, triangles, UP, UP, np.ones(len(quads)), np.ones(len(triangles)))
+
+
 def of(points: np.ndarray, elements: Elements, energy: Energy) -> tuple[float, np.ndarray, np.ndarray]:
     """Energy, gradient and openness."""
     openness, gradient = np.empty(len(elements.quads) + len(elements.triangles)), np.empty_like(points)
@@ -27,7 +32,7 @@ def of(points: np.ndarray, elements: Elements, energy: Energy) -> tuple[float, n
 def parts(mesh, warp: float) -> tuple[np.ndarray, Elements]:
     given = problem(mesh)
     points = given.points + [0, 0, warp] * np.random.default_rng(3).normal(size=given.points.shape)
-    return points, Elements(given.quads, given.triangles, UP, UP)
+    return points, parted(given.quads, given.triangles)
 
 
 def energies():
@@ -53,8 +58,8 @@ def test_the_gradient_is_that_of_the_energy(reference_mesh, energy, warp):
 def test_a_square_and_an_equilateral_triangle_cost_least():
     points = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0.5, np.sqrt(0.75), 0]])
     quad, triangle = np.array([[0, 1, 2, 3]], dtype=np.int32), np.array([[0, 1, 4]], dtype=np.int32)
-    only_quad = of(points, Elements(quad, triangle[:0], UP, UP), winslow(1.0, 1e-9))
-    only_triangle = of(points, Elements(quad[:0], triangle, UP, UP), winslow(1.0, 1e-9))
+    only_quad = of(points, parted(quad, triangle[:0]), winslow(1.0, 1e-9))
+    only_triangle = of(points, parted(quad[:0], triangle), winslow(1.0, 1e-9))
     assert only_quad[0] == pytest.approx(1.0)
     assert only_triangle[0] == pytest.approx(0.5)
     for _, gradient, openness in (only_quad, only_triangle):
@@ -89,7 +94,7 @@ def test_the_floor_costs_only_what_is_below_it(reference_mesh):
 
 def test_the_energy_does_not_depend_on_the_order_of_the_elements(reference_mesh):
     points, elements = parts(reference_mesh("web_L"), 0.0)
-    other = Elements(np.roll(elements.quads, 1, axis=1)[::-1].copy(), elements.triangles[::-1].copy(), UP, UP)
+    other = parted(np.roll(elements.quads, 1, axis=1)[::-1].copy(), elements.triangles[::-1].copy())
     energy = merit(objective("shape"), 300.0, AREAS, 3, 0.3)
     assert of(points, other, energy)[0] == pytest.approx(of(points, elements, energy)[0], rel=1e-12)
 

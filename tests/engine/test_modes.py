@@ -4,12 +4,22 @@ import attrs
 import numpy as np
 import pytest
 
+from hullquad.given import given
 from hullquad.mesh import Mesh
+from hullquad.metrics import OBJECTIVES, metric
+from hullquad.optimization.course import Course
+from hullquad.optimization.energies import merit
 from hullquad.optimization.facets import facets
 from hullquad.optimization.iterate import outcome
-from hullquad.optimization.modes import untangle_iterates
-from hullquad.optimization.objective import objective
-from hullquad.optimization.settings import SearchSettings
+from hullquad.optimization.modes import default_iterates, untangle_iterates, worst_iterates
+from hullquad.optimization.objective import Objective, objective
+from hullquad.optimization.problem import problem
+from hullquad.optimization.selection import rings
+from hullquad.optimization.settings import FINE, QUICK, SearchSettings
+from hullquad.optimization.untangle import evenness
+from hullquad.quality import quality
+from hullquad.rules import Level, assess, rule_set
+from hullquad.rules.chase import rules_iterates
 from hullquad.topology import NodeState, rim_states, topology
 
 SHAPE = objective("shape")
@@ -144,3 +154,136 @@ def test_a_crease_stays_where_it_is():
     np.testing.assert_array_equal(after.points[on_ridge], points[on_ridge])
     np.testing.assert_allclose(after.points[:, 2], 400 - np.abs(after.points[:, 0] - 400), atol=1e-6)
     assert (after.points[slid] != points[slid]).any()
+
+
+MODES = {
+    "untangle": untangle_iterates,
+    "default": default_iterates,
+    "worst": worst_iterates,
+    "rules": lambda mesh, aim, settings: rules_iterates(mesh, aim, rule_set("bv"), settings),
+}
+QUICK_RUN = SearchSettings(iterations=150, stride=25)
+
+
+def rank_of(name: str, mesh: Mesh, aim: Objective) -> tuple[float, ...]:
+    """What a mode makes better, worked out anew from the mesh."""
+    course = Course(problem(mesh), 0, 0.0, 1)
+    judged = quality(mesh, aim.metric)
+    floor = None if name == "worst" else QUICK_RUN.floor
+    loss = course.value(merit(aim, mesh.target_size, mesh.areas, None, floor))
+    if name == "untangle":
+        loss = evenness(course)
+    extra = {
+        "worst": lambda: [-float(aim.metric.badness(np.array(judged.worst)))],
+        "rules": lambda: [-float(assess(mesh, rule_set("bv")).counts[level]) for level in (Level.ERROR, Level.WARN)],
+    }
+    return (-float(judged.inverted_count), *extra.get(name, list)(), -loss)
+
+
+@pytest.fixture(scope="module")
+def some_mesh(reference_mesh):
+    """Make a valid mesh of a few elements whose nodes lie anywhere, some of them pinned."""
+
+    def make(seed: int) -> Mesh:
+        chance = np.random.default_rng(seed)
+        mesh = reference_mesh(("hopper_coarse20", "hopper_seg")[seed % 2])
+        shaken = mesh
+        for amplitude in (0.5, 0.3, 0.1, 0.03):
+            shift = amplitude * mesh.target_size * chance.uniform(-1, 1, mesh.parameters.shape)
+            shaken = mesh.with_parameters(mesh.parameters + shift)
+            if quality(shaken, metric("shape")).inverted_count == 0:
+                break
+        states = np.array(shaken.topology.node_states)
+        free = np.flatnonzero(states == NodeState.FREE)
+        states[chance.choice(free, size=len(free) // 6, replace=False)] = NodeState.PINNED
+        return with_states(shaken, states)
+
+    return make
+
+
+WITH_STAND_IN = [row.key for row in OBJECTIVES if row.group in {"Kniat, Table 1", "ANSYS"}]
+
+
+@pytest.mark.parametrize("name", MODES)
+@pytest.mark.parametrize("key", WITH_STAND_IN)
+@pytest.mark.parametrize("seed", [0, 1])
+def test_no_run_ends_worse_than_it_began(some_mesh, name, key, seed):
+    mesh, aim = some_mesh(seed), objective(key)
+    iterates = list(MODES[name](mesh, aim, QUICK_RUN))
+    best = outcome(iterates).best.mesh
+    assert rank_of(name, best, aim) >= rank_of(name, mesh, aim)
+    held = ~mesh.topology.is_free
+    for iterate in iterates:
+        np.testing.assert_array_equal(iterate.mesh.points[held], mesh.points[held])
+        assert iterate.quality.inverted_count == 0
+    if iterates[-1].stop.name == "no_gain":
+        assert best is mesh
+
+
+@pytest.mark.parametrize("name", MODES)
+def test_the_same_input_gives_the_same_output(some_mesh, name):
+    mesh = some_mesh(3)
+    first, again = (outcome(MODES[name](mesh, SHAPE, QUICK_RUN)).best.mesh for _ in range(2))
+    np.testing.assert_array_equal(first.points, again.points)
+
+
+REFERENCES = {"hopper_coarse20": 13.215, "hopper_seg": 23.51, "web_L": 207.71, "hopper_fine": 476.59}
+"""Best sums of stretch that an interior-point method found."""
+
+
+@pytest.mark.parametrize("name", REFERENCES)
+@pytest.mark.parametrize(("schedule", "share"), [(QUICK, 0.97), (FINE, 0.995)], ids=["quick", "fine"])
+def test_the_reachable_gain_is_reached(reference_mesh, name, schedule, share):
+    mesh = reference_mesh(name)
+    settings = SearchSettings(floor=None, schedule=schedule, stride=1000)
+    run = outcome(default_iterates(mesh, objective("stretch"), settings))
+    assert run.best.objective - run.first.objective >= share * (REFERENCES[name] - run.first.objective)
+
+
+@pytest.mark.parametrize("name", [*REFERENCES, "web_L_2k"])
+@pytest.mark.parametrize(("floor", "least"), [(0.3, 0.27), (0.6, 0.5)])
+def test_the_floor_holds(reference_mesh, name, floor, least):
+    run = outcome(
+        default_iterates(reference_mesh(name), objective("stretch"), SearchSettings(floor=floor, stride=1000))
+    )
+    judged = quality(run.best.mesh, metric("scaled_jacobian"), (least, np.inf))
+    assert judged.values[~given(run.best.mesh, judged)].min() >= least
+
+
+WORST_BY_OTHERS = {"hopper_coarse20": 0.708, "hopper_seg": 0.732, "web_L": 0.696, "hopper_fine": 0.688}
+"""Least shape that Gmsh's UntangleMeshGeometry leaves."""
+
+
+@pytest.mark.parametrize("name", WORST_BY_OTHERS)
+def test_the_worst_element_is_raised(reference_mesh, name):
+    run = outcome(worst_iterates(reference_mesh(name), SHAPE, SearchSettings(stride=1000)))
+    is_quad = ~run.best.mesh.topology.is_triangle
+    assert run.best.quality.values[is_quad].min() > WORST_BY_OTHERS[name]
+
+
+def test_fewer_elements_break_the_rules(reference_mesh):
+    mesh, rules = reference_mesh("web_L"), rule_set("bv")
+    plain = outcome(default_iterates(mesh, SHAPE, SearchSettings(stride=1000))).best.mesh
+    chased = outcome(rules_iterates(mesh, SHAPE, rules, SearchSettings(stride=1000))).best.mesh
+    assert assess(chased, rules).counts[Level.WARN] < 0.8 * assess(plain, rules).counts[Level.WARN]
+
+
+def test_weights_decide_between_metrics(reference_mesh):
+    mesh = reference_mesh("web_L")
+    settings = SearchSettings(stride=1000)
+    by_stretch, by_shape = (
+        outcome(default_iterates(mesh, objective(text), settings)).best.mesh
+        for text in ("stretch=10,shape", "stretch,shape=10")
+    )
+    for key, better, other in (("stretch", by_stretch, by_shape), ("shape", by_shape, by_stretch)):
+        assert quality(better, metric(key)).mean > quality(other, metric(key)).mean
+
+
+def test_only_a_selection_is_optimised(reference_mesh):
+    mesh = reference_mesh("web_L")
+    chosen = rings(mesh, [10], 1)
+    assert 0 < (chosen & mesh.topology.is_free).sum() < mesh.topology.is_free.sum()
+    after = outcome(default_iterates(mesh, SHAPE, SearchSettings(chosen=chosen))).best.mesh
+    moved = (after.points != mesh.points).any(axis=1)
+    assert moved.any()
+    assert not moved[~chosen].any()

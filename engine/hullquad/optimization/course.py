@@ -5,7 +5,7 @@ from time import monotonic
 
 import numpy as np
 
-from hullquad.arrays import Floats
+from hullquad.arrays import Floats, floats
 from hullquad.mesh import Mesh
 from hullquad.optimization import descent
 from hullquad.optimization.energy import Elements, Energy, energy_at
@@ -32,6 +32,11 @@ class Course:
         self._run = descent.descent(given.points, given.movable, len(given.quads) + len(given.triangles))
         self._iterations, self._stride = iterations, stride
         self._deadline = monotonic() + seconds
+
+    def weigh(self, weights: Floats) -> None:
+        """Have every element of the mesh (E,) count so much in the energies that ask for it."""
+        quads, triangles = (weights[rows] for rows in (self.problem.quad_rows, self.problem.triangle_rows))
+        self.elements = self.elements._replace(quad_weights=floats(quads), triangle_weights=floats(triangles))
 
     @property
     def points(self) -> Floats:
@@ -95,7 +100,9 @@ class Course:
         run.points[:] = place
         descent.settle(run, self.elements, energy._replace(guard=0.0), 0)
         run.points[:] = run.trial
+        weights = self.elements.quad_weights, self.elements.triangle_weights
         self._tangents, self.elements = _directions(self.problem, self.points)
+        self.elements = self.elements._replace(quad_weights=weights[0], triangle_weights=weights[1])
         return descent.begin(run, self._tangents, self.elements, energy)
 
 
@@ -104,4 +111,5 @@ def _directions(given: Problem, points: Floats) -> tuple[Floats, Elements]:
     tangents, normals = given.directions(points)
     quads = len(given.quads)
     of_quads, of_triangles = (normals, normals) if len(normals) == 1 else (normals[:quads], normals[quads:])
-    return tangents, Elements(given.quads, given.triangles, of_quads, of_triangles)
+    weights = floats(np.ones(quads)), floats(np.ones(len(given.triangles)))
+    return tangents, Elements(given.quads, given.triangles, of_quads, of_triangles, *weights)

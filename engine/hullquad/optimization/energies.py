@@ -11,6 +11,7 @@ from hullquad.metrics.expression import Node, Number, choice, dot, lesser, numbe
 from hullquad.metrics.program import Program, program
 from hullquad.metrics.slopes import slopes
 from hullquad.metrics.table_1 import scaled_jacobians
+from hullquad.optimization.demand import Demand
 from hullquad.optimization.energy import Energy, rows_for
 from hullquad.optimization.objective import Objective
 
@@ -22,6 +23,12 @@ _FLOOR_WEIGHT = 2.0
 """Of the floor against an objective that counts 0.75 from its limit to its ideal."""
 _BRINK = (0.1, 0.01)
 """Level and weight of the floor that a smooth objective without one has."""
+_CHASED = 5
+"""Doublings of the exponent of the metrics that rules are about."""
+_MARGIN = 0.3
+"""How far within a limit an element is to be, on the way from there to the ideal: at the limit many would be beyond."""
+_ASIDE = 0.05
+"""What the objective counts beside the demands."""
 _KEPT = 64
 
 
@@ -76,9 +83,43 @@ def _room(element: Element, metric: Metric, worst: float) -> Number:
     """How far an element is from the worst value allowed, or from folding: below 0 beyond it."""
     ideal = metric.quads.ideal / metric.factor
     exact = Element(element.count)
-    exact.points, exact.facing, exact.reference = element.points, element.facing, element.reference
+    exact.points, exact.facing, exact.reference = element.points, element.facing, element.reference  # the same inputs
     distance = (1.0 / (worst - ideal)) * (formulas.value(metric, exact) - ideal)
     return lesser(1.0 - distance, reduce(lesser, scaled_jacobians(exact)) - LEAST_GUARD)
+
+
+def chasing(
+    demands: tuple[Demand, ...], objective: Objective, size: float, areas: Floats, softness: float, floor: float | None
+) -> Energy:
+    """What breaks demands, each element nearly alike however far it is beyond them, and little of an objective.
+
+    An element v beyond a limit, in units of the way from there to the ideal, costs ``v^2 / (v^2 + softness^2)`` times
+    its weight: the smaller the softness, the nearer to a count.
+    """
+    quads, triangles = _chasing_programs(demands, objective, softness, floor)
+    return _energy(quads, triangles, areas, size, max(floor or 0.0, LEAST_GUARD))
+
+
+@lru_cache(_KEPT)
+def _chasing_programs(
+    demands: tuple[Demand, ...], objective: Objective, softness: float, floor: float | None
+) -> tuple[Program, Program]:
+    quad, triangle = Element(4, _CHASED), Element(3, _CHASED)
+    level, weight = (floor, _FLOOR_WEIGHT) if floor is not None else _BRINK
+    of_quads = [_cost(quad, demand, softness) for demand in demands if demand.is_of_quads]
+    of_triangles = [_cost(triangle, demand, softness) for demand in demands if demand.is_of_triangles]
+    loss = _ASIDE * _loss(objective, quad) + _below(quad, level, weight)
+    return (
+        _program(quad, reduce(add, of_quads, loss)),
+        _program(triangle, reduce(add, of_triangles, _below(triangle, level, weight))),
+    )
+
+
+def _cost(element: Element, demand: Demand, softness: float) -> Number:
+    value = formulas.value(demand.metric, element)
+    beyond = _MARGIN + demand.scale * ((value - demand.limit) if demand.is_upper else (demand.limit - value))
+    square = beyond * beyond
+    return choice(beyond, demand.weight * element.weight * (square / (square + softness**2)), 0.0)
 
 
 def worst_first(metric: Metric, size: float, areas: Floats, doublings: int, power: int, worst: float) -> Energy:
@@ -165,5 +206,5 @@ def _program(element: Element, value: Number, openness: Number | None = None) ->
     by_nodes = [element.shrinking * (by_sides[node - 1] - by_sides[node]) for node in range(element.count)]
     if openness is None:
         openness = reduce(lesser, scaled_jacobians(element))
-    inputs: list[Node] = [*element.points, element.facing, element.reference]
+    inputs: list[Node] = [*element.points, element.facing, element.reference, element.weight]
     return program([value, openness, *by_nodes], inputs)

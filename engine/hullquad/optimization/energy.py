@@ -6,7 +6,7 @@ import numpy as np
 
 from hullquad.arrays import Floats, Ints
 from hullquad.metrics.compiled import compiled
-from hullquad.metrics.kernels import load, rows_of
+from hullquad.metrics.kernels import rows_of
 from hullquad.metrics.machine import run
 from hullquad.metrics.program import LANES, Program
 
@@ -20,6 +20,10 @@ class Elements(NamedTuple):
     """(T, 3)"""
     quad_normals: Floats
     triangle_normals: Floats
+    quad_weights: Floats
+    """(Q,) last input of the programs: how much each element counts in some energies."""
+    triangle_weights: Floats
+    """(T,)"""
 
 
 class Energy(NamedTuple):
@@ -51,11 +55,11 @@ def energy_at(
     quads = len(elements.quads)
     of_quads, spoils = _sum_over(
         energy.quads, energy.quad_rows, points, elements.quads, elements.quad_normals,
-        energy.guard, energy.kept, before[:quads], openness[:quads], gradient,
+        elements.quad_weights, energy.guard, energy.kept, before[:quads], openness[:quads], gradient,
     )  # fmt: skip
     of_triangles, spoils_too = _sum_over(
         energy.triangles, energy.triangle_rows, points, elements.triangles, elements.triangle_normals,
-        energy.guard, energy.kept, before[quads:], openness[quads:], gradient,
+        elements.triangle_weights, energy.guard, energy.kept, before[quads:], openness[quads:], gradient,
     )  # fmt: skip
     total = of_quads + of_triangles
     return (total if np.isfinite(total) else np.inf), spoils or spoils_too
@@ -63,17 +67,14 @@ def energy_at(
 
 @compiled
 def _sum_over(
-    program: Program, rows: Floats, points: Floats, elements: Ints, normals: Floats, guard: float, kept: float,
-    before: Floats, openness: Floats, gradient: Floats,
+    program: Program, rows: Floats, points: Floats, elements: Ints, normals: Floats, weights: Floats,
+    guard: float, kept: float, before: Floats, openness: Floats, gradient: Floats,
 ) -> tuple[float, bool]:  # fmt: skip
     """The energy of elements of one kind."""
     total, spoils = 0.0, False
-    lanes, parameter = np.arange(LANES), _parameter(program, rows)
     for start in range(0, len(elements), LANES):
         filled = min(LANES, len(elements) - start)
-        for i in range(filled):
-            lanes[i] = start + i
-        load(program, rows, points, elements, normals, parameter, lanes, filled)
+        _lay_out(program, rows, points, elements, normals, weights, start, filled)
         run(program.steps, rows)
         value, is_open = program.outputs[0], program.outputs[1]
         for i in range(filled):
@@ -90,15 +91,32 @@ def _sum_over(
 
 
 @compiled
-def _parameter(program: Program, rows: Floats) -> float:
-    row = program.inputs[len(program.inputs) - 1]
-    return rows[row] if row >= 0 else 0.0
+def _lay_out(
+    program: Program, rows: Floats, points: Floats, elements: Ints, normals: Floats, weights: Floats,
+    start: int, filled: int,
+) -> None:  # fmt: skip
+    """Lay out what differs between the elements of a block: points, what they must face, their weights."""
+    nodes, each = elements.shape[1], len(normals) > 1
+    for node in range(nodes + 1):
+        row = program.inputs[node]
+        if row >= 0:
+            for i in range(filled):
+                for axis in range(3):
+                    at = row + axis * LANES + i
+                    if node < nodes:
+                        rows[at] = points[elements[start + i, node], axis]
+                    else:
+                        rows[at] = normals[start + i if each else 0, axis]
+    row = program.inputs[nodes + 2]
+    if row >= 0:
+        for i in range(filled):
+            rows[row + i] = weights[start + i]
 
 
 @compiled
 def rows_for(program: Program, parameter: float) -> Floats:
-    """Rows for a program to work on, with the value of its last input."""
-    rows, row = rows_of(program), program.inputs[len(program.inputs) - 1]
+    """Rows for a program to work on, with the value of the input that is the same for all elements."""
+    rows, row = rows_of(program), program.inputs[len(program.inputs) - 2]
     if row >= 0:
         rows[row : row + LANES] = parameter
     return rows

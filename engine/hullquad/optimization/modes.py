@@ -6,11 +6,10 @@ import numpy as np
 
 from hullquad.mesh import Mesh
 from hullquad.optimization import energies
-from hullquad.optimization.course import Course
 from hullquad.optimization.iterate import Iterate
 from hullquad.optimization.looks import Rank, looks
 from hullquad.optimization.objective import Objective
-from hullquad.optimization.settings import Schedule, SearchSettings
+from hullquad.optimization.settings import SearchSettings
 from hullquad.optimization.stages import continued, course_of, evened, opened, raised, worst_value
 from hullquad.optimization.untangle import evenness, folded_count
 
@@ -74,6 +73,3 @@ def worst_iterates(mesh: Mesh, objective: Objective, settings: SearchSettings | 
         return -float(folded_count(course)), -worst, -course.value(exact)
 
     yield from looks(mesh, objective, course, stages(), rank)
-
-
-__all__ = ["Course", "Schedule", "default_iterates", "untangle_iterates", "worst_iterates"]

@@ -34,6 +34,10 @@ class Problem:
     """(Q, 4)"""
     triangles: Ints = attrs.field(converter=ints)
     """(T, 3)"""
+    quad_rows: Longs = attrs.field(converter=longs)
+    """(Q,) their rows in the mesh."""
+    triangle_rows: Longs = attrs.field(converter=longs)
+    """(T,)"""
     surface: Facets | None
     """What nodes are brought back onto; None on a plane, which they cannot leave."""
 
@@ -56,7 +60,7 @@ class Problem:
     def directions(self, points: Floats) -> tuple[Floats, Floats]:
         """Unit vectors (movable, 2, 3) that nodes at `points` may move along, and (1 or Q + T, 3) element normals."""
         if self.surface is None:
-            return np.broadcast_to(np.eye(3)[:2], (self.movable, 2, 3)), floats([_UP])
+            return floats(np.broadcast_to(np.eye(3)[:2], (self.movable, 2, 3))), floats([_UP])
         _, normals = self.surface.feet(points)
         corners = [normals[elements].sum(axis=1) for elements in (self.quads, self.triangles)]
         return _tangents(normals[: self.movable]), floats(_units(np.concatenate(corners)))
@@ -71,20 +75,24 @@ def problem(mesh: Mesh, chosen: Bools | None = None) -> Problem:
     if flat is None:
         may_move = may_move & ~_on_creases(mesh)
     elements = mesh.topology.elements
-    elements = elements[(may_move[elements] & (elements >= 0)).any(axis=1)]
+    touched = np.flatnonzero((may_move[elements] & (elements >= 0)).any(axis=1))
+    elements = elements[touched]
     may_move = may_move & _are_used(elements, len(may_move))
     points = mesh.points if flat is None else np.concatenate([flat, np.zeros((len(flat), 1))], axis=1)
     nodes = _ordered(points, may_move, elements)
     rows = np.full(len(points), -1, dtype=np.int32)
     rows[nodes] = np.arange(len(nodes))
-    renumbered, is_triangle = np.where(elements < 0, -1, rows[elements]), elements[:, 3] < 0
+    renumbered = np.where(elements < 0, -1, rows[elements])
+    quads, triangles = _sorted(renumbered[:, 3] >= 0, renumbered), _sorted(renumbered[:, 3] < 0, renumbered)
     return Problem(
         mesh=mesh,
         nodes=nodes,
         movable=int(may_move.sum()),
         points=points[nodes],
-        quads=_sorted(renumbered[~is_triangle]),
-        triangles=_sorted(renumbered[is_triangle, :3]),
+        quads=renumbered[quads],
+        triangles=renumbered[triangles, :3],
+        quad_rows=touched[quads],
+        triangle_rows=touched[triangles],
         surface=facets(mesh.points, mesh.topology.elements) if flat is None else None,
     )
 
@@ -116,9 +124,11 @@ def _are_used(elements: Ints, nodes: int) -> Bools:
     return is_used
 
 
-def _sorted(elements: Ints) -> Ints:
-    """Elements in the order of their first node: what is near in space is near in memory."""
-    return elements[np.argsort(elements.min(axis=1, initial=2**31 - 1), kind="stable")]
+def _sorted(chosen: Bools, elements: Ints) -> Longs:
+    """Rows of the chosen elements in the order of their first node: what is near in space is near in memory."""
+    rows = np.flatnonzero(chosen)
+    first = np.where(elements[rows] < 0, np.iinfo(np.int32).max, elements[rows]).min(axis=1, initial=2**31 - 1)
+    return longs(rows[np.argsort(first, kind="stable")])
 
 
 def _tangents(normals: Floats) -> Floats:

@@ -6,6 +6,7 @@ from hullquad.mesh import Mesh
 from hullquad.metrics import Metric
 from hullquad.optimization import energies
 from hullquad.optimization.course import Course
+from hullquad.optimization.demand import Demand
 from hullquad.optimization.objective import Objective
 from hullquad.optimization.problem import problem
 from hullquad.optimization.settings import SearchSettings
@@ -19,6 +20,9 @@ _SHARPER = 3
 """How much further the corners' exponent is doubled than that power."""
 _MOST_DOUBLINGS = 10
 _RAISING, _RAISING_GAIN = 100, 1e-4
+_MENDING = 200
+_SOFTNESS = (2.0, 1.0, 0.5, 0.25, 0.1, 0.05)
+"""How far beyond a limit an element counts by half, ever less."""
 
 
 def course_of(mesh: Mesh, settings: SearchSettings) -> Course:
@@ -64,6 +68,15 @@ def raised(course: Course, objective: Objective, settings: SearchSettings) -> It
         energy = energies.held_at(objective, mesh.target_size, mesh.areas, doublings, worst)
         for _ in course.stage(energy, schedule.most, schedule.gain * len(course.problem.quads)):
             yield f"then the sum, p = {2**doublings}"
+
+
+def mended(course: Course, asked: tuple[Demand, ...], objective: Objective, settings: SearchSettings) -> Iterator[str]:
+    """Bring elements within what is asked of them, ever more by their number."""
+    mesh = course.problem.mesh
+    for softness in _SOFTNESS if asked else ():
+        energy = energies.chasing(asked, objective, mesh.target_size, mesh.areas, softness, settings.floor)
+        for _ in course.stage(energy, _MENDING, settings.schedule.gain * len(course.problem.quads)):
+            yield "fewest violations"
 
 
 def worst_value(course: Course, metric: Metric) -> float:
