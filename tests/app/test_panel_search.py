@@ -16,7 +16,7 @@ from hullquad_app.colours import DARK
 from hullquad_app.document import Document
 from hullquad_app.panels.scale_spin import ScaleSpin
 from hullquad_app.panels.search import SearchPanel
-from hullquad_app.scene import State
+from hullquad_app.scene import Scene, State, View
 from hullquad_app.track import Track
 
 HOPPER = Path(__file__).parents[2] / "assets" / "plates" / "hopper_partition.json"
@@ -174,3 +174,12 @@ def test_what_is_no_number_of_the_range_is_not_taken(qtbot, text):
     box.setValue(0.5)
     typed(qtbot, box, text)
     assert 1e-7 <= box.value() <= 10.0
+
+
+@pytest.mark.parametrize(
+    ("key", "text"),
+    [("stretch", "the metric that is shown"), ("corner_angle", "shape: corner angle has no sum")],
+)
+def test_it_says_what_is_optimised_where_the_shown_metric_cannot_be(panel, key, text):
+    panel.show_scene(Scene(view=View(metric=metric(key))))
+    assert panel.objective.itemText(0) == text

@@ -20,6 +20,8 @@ from hullquad.metrics import OBJECTIVES
 from hullquad.optimization.settings import PaperSettings
 from hullquad_app.colours import LIGHT, Palette
 from hullquad_app.grouped_box import Choice, GroupedBox, metric_choices
+from hullquad_app.metric_words import name_of
+from hullquad_app.objectives import optimised_by
 from hullquad_app.panels.figures import CAPTION, sized
 from hullquad_app.panels.ground import coloured, dress
 from hullquad_app.panels.outcome import Outcome
@@ -42,8 +44,8 @@ class SearchPanel(QWidget):
         self._settings = PaperSettings()
         self._scene = Scene()
         self.objective = GroupedBox()
-        same = Choice("", self.tr("the metric that is shown"), None)
-        self.objective.fill([same, *metric_choices(OBJECTIVES)])
+        self.objective.fill([Choice("", "", None), *metric_choices(OBJECTIVES)])
+        self._name_shown()
         self.step = ScaleSpin(1e-7, 10.0)
         self.step.setSuffix(self.tr(" · h²"))
         self.length = QLabel()
@@ -80,6 +82,8 @@ class SearchPanel(QWidget):
         before, self._scene = self._scene, scene
         if scene.mesh is not before.mesh:
             self._show_length()
+        if scene.view.metric is not before.view.metric:
+            self._name_shown()
         self.outcome.show_scene(scene)
 
     def set_palette(self, palette: Palette) -> None:
@@ -109,6 +113,15 @@ class SearchPanel(QWidget):
         self.show_settings(PaperSettings(), None)
         self.objective_chosen.emit(None)
         self.changed.emit(self._settings)
+
+    def _name_shown(self) -> None:
+        """Say what the first row of the objectives means: not every metric that can be shown has a sum."""
+        shown = self._scene.view.metric
+        used = optimised_by(shown)
+        text = self.tr("the metric that is shown")
+        if used is not shown:
+            text = self.tr("{used}: {shown} has no sum").format(used=name_of(used), shown=name_of(shown))
+        self.objective.setItemText(0, text)
 
     def _show_length(self) -> None:
         mesh = self._scene.mesh
