@@ -82,7 +82,7 @@ ROWS = (
     Row(OPTIMISE, _tr("R&eset"), _tr("Go back to the mesh as it was made or loaded"), "session.reset", "Ctrl+R", "reset", "can_reset"),
     Row(OPTIMISE, _tr("One iterate &back"), _tr("Show the iterate before this one"), "session.scrub_by", "Ctrl+Left", "", "can_scrub", -1, "back"),
     Row(OPTIMISE, _tr("One iterate &on"), _tr("Show the iterate after this one"), "session.scrub_by", "Ctrl+Right", "", "can_scrub", 1, "on"),
-    Row(QUALITY, _tr("&Inspect element"), _tr("Every value of the selected element, with its lengths and angles"), "docks.inspect", "I", "", "can_picture"),
+    Row(QUALITY, _tr("&Inspect element"), _tr("Every value of the selected element, with its lengths and angles"), "docks.toggle_inspector", "I", "", "can_picture", None, "inspect"),
     Row(QUALITY, _tr("&Reset limit"), _tr("Take back the limit of the metric itself"), "judging.reset_limit", "Ctrl+L"),
     Row(QUALITY, _tr("Reset &all limits"), _tr("Take back the limits of all metrics"), "judging.reset_limits"),
     Row(QUALITY, _tr("&Load criteria…"), _tr("Take the limits in a file"), "judging_files.load_criteria"),

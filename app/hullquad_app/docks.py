@@ -105,12 +105,22 @@ class Docks(QObject):
 
     def inspect(self) -> None:
         """Bring up the element inspector, with room for its table."""
-        dock = self._docks["element"]
-        if dock.isVisible() and not dock.visibleRegion().isEmpty():
-            return
-        dock.show()
-        dock.raise_()
-        self._share(_WHEN_INSPECTING)
+        if not self._is_inspecting:
+            self._docks["element"].show()
+            self._docks["element"].raise_()
+            self._share(_WHEN_INSPECTING)
+
+    def toggle_inspector(self) -> None:
+        """Bring up the element inspector, or the objective history in its place."""
+        if self._is_inspecting:
+            self._docks["objective"].raise_()
+            self._share(_HEIGHTS)
+        else:
+            self.inspect()
+
+    @property
+    def _is_inspecting(self) -> bool:
+        return self.element.isVisible() and not self.element.visibleRegion().isEmpty()
 
     def _share(self, heights: dict[str, int]) -> None:
         docks = [self._docks[name] for name in heights]

@@ -533,7 +533,8 @@ def test_an_element_is_inspected_by_mouse_and_key(meshed, qtbot):
     assert canvas.overlay.grab().toImage() != plain
     press(meshed, KEY.Key_N)
     assert panel.title.text() != "Element 6, quad"
-    meshed.docks.objective.parent().raise_()
+    press(meshed, KEY.Key_I)
+    qtbot.waitUntil(lambda: panel.visibleRegion().isEmpty(), timeout=5000)
 
 
 def test_criteria_are_saved_and_loaded_from_the_menu(meshed, tmp_path, monkeypatch):
