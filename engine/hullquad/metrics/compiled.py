@@ -1,17 +1,30 @@
 """How kernels are compiled: to machine code kept on disk, running without the interpreter's lock."""
 
 from collections.abc import Callable
-from typing import ParamSpec, TypeVar, cast
+from typing import Any, ParamSpec, TypeVar, cast
 
 import numba
 
 _Parameters = ParamSpec("_Parameters")
 _Result = TypeVar("_Result")
 
+_OF_A_PART: dict[str, Any] = {
+    "nogil": True,
+    "error_model": "numpy",
+    "forceinline": True,
+    "no_cpython_wrapper": True,
+    "no_cfunc_wrapper": True,
+}
+
 
 def compiled(function: Callable[_Parameters, _Result]) -> Callable[_Parameters, _Result]:
-    """The function as machine code; division by zero gives inf or nan as in IEEE 754, not an exception."""
+    """The function as machine code, kept on disk; division by zero gives inf or nan as in IEEE 754, no exception."""
     return cast("Callable[_Parameters, _Result]", _jit(function))
+
+
+def inlined(function: Callable[_Parameters, _Result]) -> Callable[_Parameters, _Result]:
+    """A part of kernels: it becomes one with the loop that calls it, and is not kept by itself."""
+    return cast("Callable[_Parameters, _Result]", numba.njit(**_OF_A_PART)(function))
 
 
 def _jit(function: Callable[_Parameters, _Result]) -> object:

@@ -10,7 +10,7 @@ from math import inf
 import numpy as np
 
 from hullquad.arrays import Bools, Floats, Ints, Longs
-from hullquad.metrics.compiled import compiled
+from hullquad.metrics.compiled import compiled, inlined
 from hullquad.metrics.machine import run
 from hullquad.metrics.program import LANES, Program
 
@@ -20,35 +20,31 @@ _LINE = 8
 
 @compiled
 def judge(
-    quads: Program, triangles: Program, points: Floats, elements: Ints, normals: Floats, areas: Floats,
+    program: Program, is_triangle: bool, points: Floats, elements: Ints, normals: Floats, area: float,
     factors: Floats, invalid: Floats, values: Floats, valid: Bools,
-) -> None:  # fmt: skip
-    """Values (E, M) and validity (E,) of every element by a program for quads and one for triangles.
+) -> int:  # fmt: skip
+    """Values (E, M) and validity (E,) of the elements of one kind by a program; how many there are.
 
-    Values of quads, and of triangles, are multiplied by `factors` (2, M). `invalid` is (2, M, 2): between what the
-    value of an invalid one is kept.
+    Values are multiplied by `factors` (M,). `invalid` is (M, 2): between what the value of an invalid one is kept.
     """
-    lanes, done = np.empty(LANES, dtype=np.int64), 0
-    for kind in range(2):
-        program = quads if kind == 0 else triangles
-        rows, count = rows_of(program), len(program.outputs) - 1
-        start = 0
-        while start < len(elements) and done < len(elements):
-            filled, start = next_lanes(elements, kind == 1, start, lanes)
-            done += filled
-            load(program, rows, points, elements, normals, areas[kind], lanes, filled)
-            run(program.steps, rows)
-            open_row = program.outputs[count]
+    lanes, rows = np.empty(LANES, dtype=np.int64), rows_of(program)
+    count, start, done = len(program.outputs) - 1, 0, 0
+    while start < len(elements):
+        filled, start = next_lanes(elements, is_triangle, start, lanes)
+        done += filled
+        load(program, rows, points, elements, normals, area, lanes, filled)
+        run(program.steps, rows)
+        open_row = program.outputs[count]
+        for i in range(filled):
+            valid[lanes[i]] = rows[open_row + i] > 0.0
+        for k in range(count):
+            row, factor, least, most = program.outputs[k], factors[k], invalid[k, 0], invalid[k, 1]
             for i in range(filled):
-                valid[lanes[i]] = rows[open_row + i] > 0.0
-            for k in range(count):
-                row = program.outputs[k]
-                for i in range(filled):
-                    value = factors[kind, k] * rows[row + i]
-                    if not rows[open_row + i] > 0.0:
-                        below = value if value < invalid[kind, k, 1] else invalid[kind, k, 1]
-                        value = below if below > invalid[kind, k, 0] else invalid[kind, k, 0]
-                    values[lanes[i], k] = value
+                value = factor * rows[row + i]
+                below = value if value < most else most
+                kept = below if below > least else least
+                values[lanes[i], k] = value if rows[open_row + i] > 0.0 else kept
+    return done
 
 
 @compiled
@@ -127,7 +123,7 @@ def rows_of(program: Program) -> Floats:
     return rows
 
 
-@compiled
+@inlined
 def next_lanes(elements: Ints, is_triangle: bool, start: int, lanes: Longs) -> tuple[int, int]:
     """Fill `lanes` with the next elements of one kind; how many there were, and where to go on."""
     filled = 0
@@ -138,7 +134,7 @@ def next_lanes(elements: Ints, is_triangle: bool, start: int, lanes: Longs) -> t
     return filled, start
 
 
-@compiled
+@inlined
 def load(
     program: Program, rows: Floats, points: Floats, elements: Ints, normals: Floats, area: float,
     lanes: Longs, filled: int,

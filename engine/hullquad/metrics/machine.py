@@ -5,9 +5,10 @@ from math import pi, sqrt
 import numpy as np
 
 from hullquad.arrays import Floats, Ints
-from hullquad.metrics.compiled import compiled
+from hullquad.metrics.compiled import compiled, inlined
 from hullquad.metrics.expression import Op
 from hullquad.metrics.program import LANES
+from hullquad.metrics.vectors import Vector, cross, difference, dot, length, scaled, square, total
 
 FLAT = 1e-12
 """A corner's Jacobian over the square of the longest edge from which on a corner counts as open."""
@@ -22,7 +23,7 @@ _SHRUNK_EDGE = int(Op.SHRUNK_EDGE)
 _SHRINKING_3, _SHRINKING_4 = int(Op.SHRINKING_3), int(Op.SHRINKING_4)
 _OPENNESS_3, _OPENNESS_4 = int(Op.OPENNESS_3), int(Op.OPENNESS_4)
 
-_ROW, _Y, _Z = np.uint64(LANES), np.uint64(LANES), np.uint64(2 * LANES)  # places that are not below zero
+_ROW, _TWO_ROWS, _VECTOR = np.uint64(LANES), np.uint64(2 * LANES), np.uint64(3 * LANES)  # places are never below 0
 _TAN_PI_8 = sqrt(2.0) - 1.0
 
 
@@ -66,67 +67,44 @@ def run(steps: Ints, r: Floats) -> None:  # noqa: PLR0912, PLR0915  a table that
         elif op == _CHOOSE:
             for i in range(_ROW):
                 r[o + i] = r[b + i] if r[a + i] > 0.0 else r[c + i]
-        elif op == _ARC:
-            _arc(r, o, a, b)
-        elif op == _ADD_VECTORS:
-            for i in range(_ROW):
-                r[o + i] = r[a + i] + r[b + i]
-                r[o + _Y + i] = r[a + _Y + i] + r[b + _Y + i]
-                r[o + _Z + i] = r[a + _Z + i] + r[b + _Z + i]
-        elif op == _SUBTRACT_VECTORS:
-            for i in range(_ROW):
-                r[o + i] = r[a + i] - r[b + i]
-                r[o + _Y + i] = r[a + _Y + i] - r[b + _Y + i]
-                r[o + _Z + i] = r[a + _Z + i] - r[b + _Z + i]
-        elif op == _NEGATE_VECTOR:
-            for i in range(_ROW):
-                r[o + i], r[o + _Y + i], r[o + _Z + i] = -r[a + i], -r[a + _Y + i], -r[a + _Z + i]
-        elif op == _SCALE:
-            for i in range(_ROW):
-                factor = r[a + i]
-                r[o + i] = factor * r[b + i]
-                r[o + _Y + i] = factor * r[b + _Y + i]
-                r[o + _Z + i] = factor * r[b + _Z + i]
-        elif op == _SCALE_ADD:
-            for i in range(_ROW):
-                factor = r[a + i]
-                r[o + i] = factor * r[b + i] + r[c + i]
-                r[o + _Y + i] = factor * r[b + _Y + i] + r[c + _Y + i]
-                r[o + _Z + i] = factor * r[b + _Z + i] + r[c + _Z + i]
-        elif op == _DOT:
-            for i in range(_ROW):
-                r[o + i] = r[a + i] * r[b + i] + r[a + _Y + i] * r[b + _Y + i] + r[a + _Z + i] * r[b + _Z + i]
-        elif op == _SQUARE:
-            for i in range(_ROW):
-                x, y, z = r[a + i], r[a + _Y + i], r[a + _Z + i]
-                r[o + i] = x * x + y * y + z * z
-        elif op == _LENGTH:
-            for i in range(_ROW):
-                x, y, z = r[a + i], r[a + _Y + i], r[a + _Z + i]
-                r[o + i] = sqrt(x * x + y * y + z * z)
-        elif op == _CROSS:
-            for i in range(_ROW):
-                ax, ay, az = r[a + i], r[a + _Y + i], r[a + _Z + i]
-                bx, by, bz = r[b + i], r[b + _Y + i], r[b + _Z + i]
-                r[o + i] = ay * bz - az * by
-                r[o + _Y + i] = az * bx - ax * bz
-                r[o + _Z + i] = ax * by - ay * bx
-        elif op == _CROSS_ADD:
-            for i in range(_ROW):
-                ax, ay, az = r[a + i], r[a + _Y + i], r[a + _Z + i]
-                bx, by, bz = r[b + i], r[b + _Y + i], r[b + _Z + i]
-                r[o + i] = ay * bz - az * by + r[c + i]
-                r[o + _Y + i] = az * bx - ax * bz + r[c + _Y + i]
-                r[o + _Z + i] = ax * by - ay * bx + r[c + _Z + i]
         elif op == _EQUAL:
             for i in range(_ROW):
                 r[o + i] = 1.0 if r[a + i] == r[b + i] else 0.0
+        elif op == _ARC:
+            _arc(r, o, a, b)
+        elif op == _ADD_VECTORS:
+            for i in range(_VECTOR):
+                r[o + i] = r[a + i] + r[b + i]
+        elif op == _SUBTRACT_VECTORS:
+            for i in range(_VECTOR):
+                r[o + i] = r[a + i] - r[b + i]
+        elif op == _NEGATE_VECTOR:
+            for i in range(_VECTOR):
+                r[o + i] = -r[a + i]
+        elif op == _SCALE:
+            for i in range(_ROW):
+                put(r, o + i, scaled(r[a + i], at(r, b + i)))
+        elif op == _SCALE_ADD:
+            for i in range(_ROW):
+                put(r, o + i, total(scaled(r[a + i], at(r, b + i)), at(r, c + i)))
+        elif op == _DOT:
+            for i in range(_ROW):
+                r[o + i] = dot(at(r, a + i), at(r, b + i))
+        elif op == _SQUARE:
+            for i in range(_ROW):
+                r[o + i] = square(at(r, a + i))
+        elif op == _LENGTH:
+            for i in range(_ROW):
+                r[o + i] = length(at(r, a + i))
+        elif op == _CROSS:
+            for i in range(_ROW):
+                put(r, o + i, cross(at(r, a + i), at(r, b + i)))
+        elif op == _CROSS_ADD:
+            for i in range(_ROW):
+                put(r, o + i, total(cross(at(r, a + i), at(r, b + i)), at(r, c + i)))
         elif op == _SHRUNK_EDGE:
             for i in range(_ROW):
-                factor = r[a + i]
-                r[o + i] = factor * (r[b + i] - r[c + i])
-                r[o + _Y + i] = factor * (r[b + _Y + i] - r[c + _Y + i])
-                r[o + _Z + i] = factor * (r[b + _Z + i] - r[c + _Z + i])
+                put(r, o + i, scaled(r[a + i], difference(at(r, b + i), at(r, c + i))))
         elif op == _SHRINKING_3:
             _shrinking(r, o, a, b, c, a)
         elif op == _SHRINKING_4:
@@ -137,7 +115,19 @@ def run(steps: Ints, r: Floats) -> None:  # noqa: PLR0912, PLR0915  a table that
             _quad_openness(r, o, a, b, c, d, e)
 
 
-@compiled
+@inlined
+def at(r: Floats, place: np.uint64) -> Vector:
+    """Vector of one element."""
+    return r[place], r[place + _ROW], r[place + _TWO_ROWS]
+
+
+@inlined
+def put(r: Floats, place: np.uint64, value: Vector) -> None:
+    """Set a vector of one element."""
+    r[place], r[place + _ROW], r[place + _TWO_ROWS] = value
+
+
+@inlined
 def _arc(r: Floats, o: np.uint64, a: np.uint64, b: np.uint64) -> None:
     """Angle of a sine and a cosine.
 
@@ -168,54 +158,43 @@ def _arc(r: Floats, o: np.uint64, a: np.uint64, b: np.uint64) -> None:
         r[o + i] = pi - arc if r[b + i] < 0.0 else arc
 
 
-@compiled
+@inlined
 def _shrinking(r: Floats, o: np.uint64, a: np.uint64, b: np.uint64, c: np.uint64, d: np.uint64) -> None:
     for i in range(_ROW):
-        ax, ay, az = r[a + i], r[a + _Y + i], r[a + _Z + i]
-        bx, by, bz = r[b + i], r[b + _Y + i], r[b + _Z + i]
-        cx, cy, cz = r[c + i], r[c + _Y + i], r[c + _Z + i]
-        dx, dy, dz = r[d + i], r[d + _Y + i], r[d + _Z + i]
-        first = max(abs(bx - ax), abs(by - ay), abs(bz - az))
-        second = max(abs(cx - bx), abs(cy - by), abs(cz - bz))
-        third = max(abs(dx - cx), abs(dy - cy), abs(dz - cz))
-        fourth = max(abs(ax - dx), abs(ay - dy), abs(az - dz))
+        pa, pb, pc, pd = at(r, a + i), at(r, b + i), at(r, c + i), at(r, d + i)
+        first, second = _largest(difference(pb, pa)), _largest(difference(pc, pb))
+        third, fourth = _largest(difference(pd, pc)), _largest(difference(pa, pd))
         size = max(first, second, third, fourth)
         r[o + i] = 1.0 / size if size > 0.0 else 0.0
 
 
-@compiled
+@inlined
+def _largest(a: Vector) -> float:
+    return max(abs(a[0]), abs(a[1]), abs(a[2]))
+
+
+@inlined
 def _quad_openness(
     r: Floats, o: np.uint64, f: np.uint64, a: np.uint64, b: np.uint64, c: np.uint64, d: np.uint64
 ) -> None:
     for i in range(_ROW):
-        ax, ay, az = r[a + i], r[a + _Y + i], r[a + _Z + i]
-        bx, by, bz = r[b + i], r[b + _Y + i], r[b + _Z + i]
-        cx, cy, cz = r[c + i], r[c + _Y + i], r[c + _Z + i]
-        dx, dy, dz = r[d + i], r[d + _Y + i], r[d + _Z + i]
-        ux, uy, uz, vx, vy, vz = ax - cx, ay - cy, az - cz, bx - dx, by - dy, bz - dz
-        nx, ny, nz = uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx
-        first = nx * (dy * az - dz * ay) + ny * (dz * ax - dx * az) + nz * (dx * ay - dy * ax)
-        second = nx * (ay * bz - az * by) + ny * (az * bx - ax * bz) + nz * (ax * by - ay * bx)
-        third = nx * (by * cz - bz * cy) + ny * (bz * cx - bx * cz) + nz * (bx * cy - by * cx)
-        fourth = nx * (cy * dz - cz * dy) + ny * (cz * dx - cx * dz) + nz * (cx * dy - cy * dx)
-        against = nx * r[f + i] + ny * r[f + _Y + i] + nz * r[f + _Z + i] < 0.0
-        least = min(first, second, third, fourth)
-        length = sqrt(nx * nx + ny * ny + nz * nz)
-        longest = max(ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz)
-        longest = max(longest, cx * cx + cy * cy + cz * cz, dx * dx + dy * dy + dz * dz)
-        is_open = least > FLAT * longest * length
-        r[o + i] = 1.0 if is_open and not against else 0.0
+        e0, e1, e2, e3 = at(r, a + i), at(r, b + i), at(r, c + i), at(r, d + i)
+        normal = cross(difference(e0, e2), difference(e1, e3))
+        least = min(
+            dot(normal, cross(e3, e0)),
+            dot(normal, cross(e0, e1)),
+            dot(normal, cross(e1, e2)),
+            dot(normal, cross(e2, e3)),
+        )
+        longest = max(square(e0), square(e1), square(e2), square(e3))
+        is_open = least > FLAT * longest * length(normal)
+        r[o + i] = 1.0 if is_open and not dot(normal, at(r, f + i)) < 0.0 else 0.0
 
 
-@compiled
+@inlined
 def _triangle_openness(r: Floats, o: np.uint64, f: np.uint64, a: np.uint64, b: np.uint64, c: np.uint64) -> None:
     for i in range(_ROW):
-        ax, ay, az = r[a + i], r[a + _Y + i], r[a + _Z + i]
-        bx, by, bz = r[b + i], r[b + _Y + i], r[b + _Z + i]
-        cx, cy, cz = r[c + i], r[c + _Y + i], r[c + _Z + i]
-        nx, ny, nz = ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx
-        against = nx * r[f + i] + ny * r[f + _Y + i] + nz * r[f + _Z + i] < 0.0
-        length = sqrt(nx * nx + ny * ny + nz * nz)
-        longest = max(ax * ax + ay * ay + az * az, bx * bx + by * by + bz * bz)
-        longest = max(longest, cx * cx + cy * cy + cz * cz)
-        r[o + i] = 1.0 if length > FLAT * longest and not against else 0.0
+        e0, e1, e2 = at(r, a + i), at(r, b + i), at(r, c + i)
+        normal = cross(e0, e1)
+        is_open = length(normal) > FLAT * max(square(e0), square(e1), square(e2))
+        r[o + i] = 1.0 if is_open and not dot(normal, at(r, f + i)) < 0.0 else 0.0

@@ -171,7 +171,13 @@ def _judged(
     factors = floats([[metric.factor for metric in rows] for rows in judges])
     bounds = floats(invalid.reshape(2, len(metrics), 2))
     known = _areas(areas, programs, points, elements)
-    kernels.judge(*programs, points, elements, floats(normals), known, factors, bounds, values, valid)
+    normals, done = floats(normals), 0
+    for kind, program in enumerate(programs):
+        if done < len(elements):
+            area, bound = float(known[kind]), bounds[kind]
+            done += kernels.judge(
+                program, kind == 1, points, elements, normals, area, factors[kind], bound, values, valid
+            )
     return values, valid
 
 
