@@ -154,3 +154,9 @@ def test_degenerate_elements_have_finite_gradients(points, exponent):
     for row in METRICS:
         _, gradients = worked_out(row, points[None], exponent)
         assert np.isfinite(gradients).all(), row.key
+
+
+@pytest.mark.parametrize("exponent", [0.5, 3, 6.0])
+def test_an_exponent_that_is_no_power_of_2_is_refused(exponent):
+    with pytest.raises(ValueError, match="power of 2"):
+        worked_out(metric("shape"), SQUARE[None], exponent)

@@ -18,7 +18,7 @@ _WIDTH = 7
 
 
 class Program(NamedTuple):
-    """Steps that work out some expressions; rows are told by their number."""
+    """Steps that work out some expressions; a row is told by the place of its first number."""
 
     steps: Ints
     """(K, 7) operation, row of the result, rows of up to five operands; a vector has three rows."""
@@ -31,7 +31,7 @@ class Program(NamedTuple):
     outputs: Ints
     """(O,) rows of the results."""
     length: int
-    """Number of rows."""
+    """Numbers in all rows."""
 
 
 def program(outputs: Sequence[Node], inputs: Sequence[Node]) -> Program:

@@ -1,4 +1,4 @@
-"""Kniat's Table 1 (METRICS of the Cubit manual, edited): formulas of an element.
+"""Kniat's Table 1, which is that of the Cubit manual with a few edits: formulas of an element.
 
 Where Table 1 is unclear, Verdict's definition counts; where its wording was changed on purpose (skew), Knupp's.
 """

@@ -13,7 +13,7 @@ areas : (2,) float array
 """
 
 from collections.abc import Sequence
-from math import inf
+from math import inf, log2
 
 import numpy as np
 
@@ -117,12 +117,16 @@ def smooth_gradients(
     """The same as `value_gradients` of a smooth stand-in, which tends to the metric as `exponent` grows.
 
     Every least and greatest over corners, edges, diagonals and axes is a power mean (`extremes`); lengths count as
-    squares. `exponent` is a power of 2 from 1 to 1024, or infinite for the metric itself. Only of valid elements.
+    squares. `exponent` is a power of 2 from 1 to 1024, or infinite for the metric itself. Of valid elements;
+    where a number that is to be raised is not positive, the exact extreme is taken.
     A corner angle has no stand-in.
     """
+    doublings = None if exponent == inf else int(log2(exponent))
+    if doublings is not None and (doublings < 0 or 2.0**doublings != exponent):
+        raise ValueError(f"{exponent} is not a power of 2")
     points, elements = floats(points), ints(elements)
     count = elements.shape[1]
-    program = slopes_program(metric, count, None if exponent == inf else int(exponent).bit_length() - 1)
+    program = slopes_program(metric, count, doublings)
     values, gradients = np.empty(len(elements)), np.empty((len(elements), count, 3))
     padded = np.pad(elements, ((0, 0), (0, 4 - count)), constant_values=-1)
     area = float(_areas(areas, [program], points, padded)[4 - count])
