@@ -91,7 +91,7 @@ ROWS = (
     Row(HELP, _tr("&Keys"), _tr("What the keys do"), "about.show_keys", "F1"),
     Row(HELP, _tr("&About HullQuad"), _tr("What this program is, its version and licences"), "about.show_about"),
     *(
-        Row(QUALITY, metric.title, metric.formula, "session.choose_metric", str(row + 1), "", "", metric.key, metric.key)
+        Row(QUALITY, metric.title.replace("&", "&&"), metric.formula, "session.choose_metric", str(row + 1), "", "", metric.key, metric.key)
         for row, metric in enumerate(METRICS[:9])
     ),
 )  # fmt: skip

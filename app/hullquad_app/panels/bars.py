@@ -201,6 +201,8 @@ def axis_labels(values: list[float], by: Metric) -> list[str]:
 
 def _value_labels(plot: Bars, values: list[float]) -> list[str]:
     texts = axis_labels(values, plot.quality.metric)
+    if plot.now.is_open_below and values[0] <= plot.x.low:
+        texts[0] = "<" + texts[0]
     if plot.now.is_open_above and values[-1] >= plot.x.high:
         texts[-1] = ">" + texts[-1]
     return texts

@@ -74,8 +74,9 @@ class RulesPanel(QWidget):
     def _select(self) -> None:
         """Show as chosen what breaks exactly the selected elements."""
         selection = self._scene.view.selection
-        rows = [row for row in range(self.model.rowCount()) if selection and self._rows(row) == selection]
-        self.table.select_rows(rows)
+        counts = [len(self.model.finding(row).rows) for row in range(self.model.rowCount())]
+        alike = [row for row, count in enumerate(counts) if count and count == len(selection)]
+        self.table.select_rows(row for row in alike if self._rows(row) == selection)
 
     def _choose(self, row: int, *, extend: bool) -> None:
         self._select()  # until the document agrees
