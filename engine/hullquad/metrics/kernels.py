@@ -11,8 +11,9 @@ import numpy as np
 
 from hullquad.arrays import Bools, Floats, Ints, Longs
 from hullquad.metrics.compiled import compiled, inlined
-from hullquad.metrics.machine import run
+from hullquad.metrics.machine import put, run
 from hullquad.metrics.program import LANES, Program
+from hullquad.metrics.vectors import vector
 
 _LINE = 8
 """Numbers in a cache line."""
@@ -34,16 +35,16 @@ def judge(
         done += filled
         load(program, rows, points, elements, normals, area, lanes, filled)
         run(program.steps, rows)
-        open_row = program.outputs[count]
-        for i in range(filled):
-            valid[lanes[i]] = rows[open_row + i] > 0.0
+        is_open = np.uint64(program.outputs[count])
+        for i in range(np.uint64(filled)):
+            valid[np.uint64(lanes[i])] = rows[is_open + i] > 0.0
         for k in range(count):
-            row, factor, least, most = program.outputs[k], factors[k], invalid[k, 0], invalid[k, 1]
-            for i in range(filled):
+            row, factor, least, most = np.uint64(program.outputs[k]), factors[k], invalid[k, 0], invalid[k, 1]
+            for i in range(np.uint64(filled)):
                 value = factor * rows[row + i]
                 below = value if value < most else most
                 kept = below if below > least else least
-                values[lanes[i], k] = value if rows[open_row + i] > 0.0 else kept
+                values[np.uint64(lanes[i]), np.uint64(k)] = value if rows[is_open + i] > 0.0 else kept
     return done
 
 
@@ -141,13 +142,16 @@ def load(
 ) -> None:  # fmt: skip
     """Lay out the points of some elements, what they must face and what their areas are relative to."""
     nodes = len(program.inputs) - 2
-    for node in range(nodes):
-        row = program.inputs[node]
-        if row >= 0:
-            x, y, z = np.uint64(row), np.uint64(row + LANES), np.uint64(row + 2 * LANES)
-            for i in range(np.uint64(filled)):
-                point = np.uint64(elements[np.uint64(lanes[i]), np.uint64(node)])
-                rows[x + i], rows[y + i], rows[z + i] = points[point, 0], points[point, 1], points[point, 2]
+    if program.inputs[:nodes].min() < 0:
+        return  # nothing is made of all the points
+    a, b, c = np.uint64(program.inputs[0]), np.uint64(program.inputs[1]), np.uint64(program.inputs[2])
+    d = np.uint64(program.inputs[nodes - 1])
+    for i in range(np.uint64(filled)):
+        element = np.uint64(lanes[i])
+        put(rows, a + i, vector(points, np.uint64(elements[element, np.uint64(0)])))
+        put(rows, b + i, vector(points, np.uint64(elements[element, np.uint64(1)])))
+        put(rows, c + i, vector(points, np.uint64(elements[element, np.uint64(2)])))
+        put(rows, d + i, vector(points, np.uint64(elements[element, np.uint64(nodes - 1)])))
     row, each = program.inputs[nodes], len(normals) > 1
     if row >= 0:
         for i in range(filled):

@@ -180,14 +180,11 @@ def _quad_openness(
     for i in range(_ROW):
         e0, e1, e2, e3 = at(r, a + i), at(r, b + i), at(r, c + i), at(r, d + i)
         normal = cross(difference(e0, e2), difference(e1, e3))
-        least = min(
-            dot(normal, cross(e3, e0)),
-            dot(normal, cross(e0, e1)),
-            dot(normal, cross(e1, e2)),
-            dot(normal, cross(e2, e3)),
-        )
+        doubled = square(normal)
+        first, second = dot(normal, cross(e3, e0)), dot(normal, cross(e0, e1))
+        least = min(first, second, 0.5 * doubled - first, 0.5 * doubled - second)  # opposite corners make up the quad
         longest = max(square(e0), square(e1), square(e2), square(e3))
-        is_open = least > FLAT * longest * length(normal)
+        is_open = least > FLAT * longest * sqrt(doubled)
         r[o + i] = 1.0 if is_open and not dot(normal, at(r, f + i)) < 0.0 else 0.0
 
 

@@ -2,6 +2,8 @@
 
 from math import sqrt
 
+import numpy as np
+
 from hullquad.arrays import Floats
 from hullquad.metrics.compiled import inlined
 
@@ -9,7 +11,7 @@ Vector = tuple[float, float, float]
 
 
 @inlined
-def vector(points: Floats, row: int) -> Vector:
+def vector(points: Floats, row: int | np.uint64) -> Vector:
     """Row of an (N, 3) array."""
     return points[row, 0], points[row, 1], points[row, 2]
 
