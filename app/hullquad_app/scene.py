@@ -150,7 +150,7 @@ def resolved(
         track=track,
         position=max(position, 0),
         quality=quality,
-        first_quality=_judged(None if track is None else track.first, view, before),
+        first_quality=quality if track is None or shown is track.first else _judged(track.first, view, before),
         verdict=_verdict(shown, quality, view, before.verdict, keeps=keeps_verdict),
         running=running is not None,
     )

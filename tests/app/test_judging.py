@@ -130,3 +130,8 @@ def test_what_is_looked_at_otherwise_is_not_judged_again(judging, document):
     assert document.scene.verdict is before.verdict
     judging.set_limit(0, 0.7)
     assert document.scene.verdict.assessment is before.assessment
+
+
+def test_at_the_beginning_there_is_nothing_to_compare_with(document):
+    document.look(metric=metric("shape"))
+    assert document.scene.first_quality is document.scene.quality
