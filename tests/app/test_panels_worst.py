@@ -232,6 +232,24 @@ def test_what_the_contour_gives_says_so(panel, iterate):
     assert "contour" in cell(panel, 0, "state", Qt.ItemDataRole.ToolTipRole)
 
 
+def test_what_the_contour_gives_can_be_left_out(panel, iterate, qtbot):
+    now = scene(iterate, key="longest_edge")
+    given = np.zeros(10, dtype=bool)
+    given[now.quality.worst_first[:2]] = True
+    found = attrs.evolve(verdict(iterate.mesh, now.quality, None, None), given=given)
+    panel.show_scene(attrs.evolve(now, verdict=found))
+    qtbot.keyClick(panel.without_given, Qt.Key.Key_Space)
+    assert panel.model.rowCount() == 8
+    assert panel.model.element(0) == now.quality.worst_first[2]
+    qtbot.keyClick(panel.without_given, Qt.Key.Key_Space)
+    assert panel.model.rowCount() == 10
+
+
+def test_where_the_contour_gives_nothing_nothing_can_be_left_out(panel, iterate):
+    panel.show_scene(scene(iterate))
+    assert not panel.without_given.isVisible()
+
+
 def test_the_swatch_has_the_colour_of_the_view(panel, iterate):
     now, rules = scene(iterate), rule_set("bv")
     panel.show_scene(attrs.evolve(now, verdict=verdict(iterate.mesh, now.quality, rules, None)))

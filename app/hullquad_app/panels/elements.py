@@ -4,6 +4,7 @@ from collections.abc import Callable
 from typing import Any
 
 import attrs
+import numpy as np
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt
 from PySide6.QtGui import QColor, QFont
 
@@ -57,12 +58,12 @@ class WorstModel(QAbstractTableModel):
         self._listed: Listed | None = None
         self._palette, self._map = LIGHT, COLOUR_MAPS[0]
 
-    def show_scene(self, scene: Scene) -> None:
-        """List the worst elements of the mesh that a scene shows."""
+    def show_scene(self, scene: Scene, *, without_given: bool = False) -> None:
+        """List the worst elements of the mesh that a scene shows, on wish without those that the contour gives."""
         before, listed = self.rowCount(), None
         if scene.mesh is not None and scene.quality is not None:
             levels = None if scene.assessment is None else scene.assessment.levels
-            worst = ranking(scene.mesh, scene.quality, MOST)
+            worst = _mendable(scene) if without_given else ranking(scene.mesh, scene.quality, MOST)
             listed = Listed(scene.mesh, scene.quality, scene.given, levels, worst)
         if (0 if listed is None else len(listed.ranking.rows)) == before:
             self._listed = listed
@@ -202,6 +203,16 @@ class WorstModel(QAbstractTableModel):
         if self.rowCount():
             self.dataChanged.emit(self.index(0, 0), self.index(self.rowCount() - 1, len(COLUMNS) - 1))
         self.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, len(COLUMNS) - 1)
+
+
+def _mendable(scene: Scene) -> Ranking:
+    """The worst elements of a scene that moving nodes can help."""
+    assert scene.mesh is not None  # it was judged
+    assert scene.quality is not None
+    given = np.zeros(len(scene.quality.values), dtype=bool) if scene.given is None else scene.given
+    found = ranking(scene.mesh, scene.quality, MOST + int(given.sum()))
+    kept = np.flatnonzero(~given[found.rows])[:MOST]
+    return Ranking(rows=found.rows[kept], min_angles=found.min_angles[kept], aspect_ratios=found.aspect_ratios[kept])
 
 
 def _is_by_other(listed: Listed, row: int) -> bool:

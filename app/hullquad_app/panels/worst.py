@@ -1,10 +1,11 @@
 """Worst elements: a table in step with view and histogram."""
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QHeaderView, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QHeaderView, QVBoxLayout, QWidget
 
 from hullquad_app.colours import COLOUR_MAPS, LIGHT, ColourMap, Palette
 from hullquad_app.panels.elements import COLUMNS, WorstModel
+from hullquad_app.panels.figures import CAPTION, sized
 from hullquad_app.panels.ground import dress
 from hullquad_app.panels.pace import Pace
 from hullquad_app.panels.table import Table
@@ -43,9 +44,19 @@ class WorstPanel(QWidget):
         self.table.opened.connect(lambda row: self.zoom_wanted.emit(self.model.element(row)))
         self.table.resized.connect(self._fit_columns)
         self._pace = Pace(self._refresh, self)
+        self.without_given = QCheckBox(self.tr("without what the contour gives"))
+        self.without_given.setToolTip(self.tr("Leave out elements that no node that may move can mend"))
+        self.without_given.setFont(sized(self.font(), CAPTION))
+        self.without_given.toggled.connect(lambda _: self._list())
+        self.without_given.hide()
         column = QVBoxLayout(self)
         column.setContentsMargins(0, 0, 0, 0)
-        column.addWidget(self.table)
+        column.setSpacing(0)
+        column.addWidget(self.table, stretch=1)
+        line = QHBoxLayout()
+        line.setContentsMargins(10, 2, 10, 2)
+        line.addWidget(self.without_given)
+        column.addLayout(line)
         header = self.table.horizontalHeader()
         header.setMinimumSectionSize(1)
         header.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
@@ -79,7 +90,12 @@ class WorstPanel(QWidget):
         if not _is_other(self._scene, self._listed):
             return
         self._listed = self._scene
-        self.model.show_scene(self._scene)
+        has_given = self._scene.given is not None and bool(self._scene.given.any())
+        self.without_given.setVisible(has_given or self.without_given.isChecked())
+        self._list()
+
+    def _list(self) -> None:
+        self.model.show_scene(self._listed, without_given=self.without_given.isChecked())
         self._fit_columns()
         self._select()
 
