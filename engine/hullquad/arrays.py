@@ -34,6 +34,11 @@ def small_ints(values: npt.ArrayLike) -> Bytes:
     return _frozen(np.ascontiguousarray(values, dtype=np.int8))
 
 
+def bools(values: npt.ArrayLike) -> Bools:
+    """Read-only bool array of the values; an array that is one already is not copied."""
+    return _frozen(np.ascontiguousarray(values, dtype=np.bool_))
+
+
 def _frozen(array: npt.NDArray[Scalar]) -> npt.NDArray[Scalar]:
     if array.flags.writeable:
         array = array.copy()

@@ -5,9 +5,11 @@ SENTENCES: dict[str, str] = {
     "E_METRIC": "there is no metric of this name; the metrics are {known}",
     "E_OBJECTIVE": "the sum of this metric tells nothing about a mesh; choose another metric to optimise by",
     "E_OBJECTIVE:weight": "the weight {found} is no number above 0; write KEY=WEIGHT, for example stretch=2",
+    "E_OPTIMIZER": "there is no optimiser of this name; there are {known}",
+    "E_OPTIMIZER:rules": "fewest violations of which rules? Choose a rule set (--rules NAME or FILE)",
     "E_PLATE": "there is no plate {id} in the document; its plates are {known}",
     "E_CURVED": "curved surfaces: not yet; mesh the plane plates of the document",
-    "E_CURVED:optimize": "the mesh is not flat, and curved surfaces: not yet; optimise plane plates only",
+    "E_CURVED:optimize": "the mesh is not flat, and the paper's method moves nodes in a plane; choose another optimiser",
     "E_PICTURE": "the plate has no mesh of which a picture could be made; mesh it first",
     # files
     "E_FILE:missing": "there is no such file; check the name and the folder",

@@ -19,6 +19,7 @@ import pytest
 from hullquad import pipeline
 from hullquad.cli import main
 from hullquad.formats import read_mesh, read_plates
+from hullquad.optimizers import OPTIMIZERS
 from hullquad.topology import NodeState
 from hullquad.triangulation.contour import Contour, attempts
 from hullquad.triangulation.refusals import expected_triangles, sound_region
@@ -395,3 +396,51 @@ def test_an_interrupted_command_writes_nothing(tmp_path):
     assert running.returncode == 130
     assert complaints == b""
     assert not out.exists()
+
+
+@pytest.mark.parametrize("optimizer", [row.key for row in OPTIMIZERS])
+def test_every_optimizer_improves_a_mesh(optimizer, meshed, tmp_path, capsys):
+    words = ["optimize", meshed, "-o", tmp_path / "out.vtu", "--optimizer", optimizer, "--metric", "shape", "--json"]
+    code, printed, _ = run(capsys, *words, *(["--rules", "bv"] if optimizer == "rules" else []))
+    told = json.loads(printed)
+    assert code == 0
+    assert told["inverted"] == 0
+    assert told["stop"] is not None
+    assert (
+        read_mesh(tmp_path / "out.vtu").topology.node_states.tolist() == read_mesh(meshed).topology.node_states.tolist()
+    )
+    if optimizer in {"default", "fine", "paper"}:
+        assert told["objective_after"] > told["objective_before"]
+    if optimizer == "worst":
+        assert told["worst_after"] >= told["worst_before"]
+
+
+@pytest.mark.parametrize(
+    ("words", "complaint"),
+    [
+        (["--metric", "stretch=0"], "weight 0 is no number above 0"),
+        (["--metric", "corner_angle"], "the sum of this metric tells nothing"),
+        (["--floor", "1.5"], "'1.5' is not a scaled Jacobian"),
+        (["--time", "-1"], "'-1' is not a time"),
+        (["--optimizer", "rules"], "--optimizer rules needs --rules"),
+        (["--optimizer", "worst", "--no-guard"], "--no-guard goes with --optimizer paper"),
+    ],
+)
+def test_options_of_a_run_that_make_no_sense_are_wrong_usage(words, complaint, meshed, tmp_path, capsys):
+    code, _, complaints = run(capsys, "optimize", meshed, "-o", tmp_path / "out.vtu", *words)
+    assert code == 2
+    assert complaint in complaints
+    assert not (tmp_path / "out.vtu").exists()
+
+
+def test_an_unknown_rule_set_is_refused_with_the_known_ones(meshed, tmp_path, capsys):
+    words = ["optimize", meshed, "-o", tmp_path / "out.vtu", "--optimizer", "rules", "--rules", "lloyds"]
+    code, _, complaints = run(capsys, *words)
+    assert code == 1
+    assert "csr_fine" in complaints
+
+
+def test_a_run_without_time_gives_its_input_back(meshed, tmp_path, capsys):
+    code, printed, _ = run(capsys, "optimize", meshed, "-o", tmp_path / "out.vtu", "--time", "0", "--json")
+    assert (code, json.loads(printed)["stop"]) == (0, "time")
+    np.testing.assert_array_equal(read_mesh(tmp_path / "out.vtu").points, read_mesh(meshed).points)

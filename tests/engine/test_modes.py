@@ -221,6 +221,16 @@ def test_no_run_ends_worse_than_it_began(some_mesh, name, key, seed):
 
 
 @pytest.mark.parametrize("name", MODES)
+def test_the_result_does_not_depend_on_how_often_somebody_looks(some_mesh, name):
+    mesh = some_mesh(2)
+    watched, quick = (
+        outcome(MODES[name](mesh, SHAPE, SearchSettings(iterations=300, stride=stride))).best for stride in (1, 1000)
+    )
+    assert watched.number == quick.number
+    np.testing.assert_array_equal(watched.mesh.points, quick.mesh.points)
+
+
+@pytest.mark.parametrize("name", MODES)
 def test_the_same_input_gives_the_same_output(some_mesh, name):
     mesh = some_mesh(3)
     first, again = (outcome(MODES[name](mesh, SHAPE, QUICK_RUN)).best.mesh for _ in range(2))

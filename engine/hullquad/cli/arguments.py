@@ -1,13 +1,17 @@
 """What may stand on the command line, with its help."""
 
 from argparse import ArgumentParser, ArgumentTypeError, Namespace, RawDescriptionHelpFormatter
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from math import inf, nan
 from pathlib import Path
 
 from hullquad import __version__
 from hullquad.cli.improving import mesh_plates, optimize_mesh
 from hullquad.cli.judging import judge_mesh
-from hullquad.metrics import METRICS
+from hullquad.errors import HullquadError
+from hullquad.metrics import OBJECTIVES
+from hullquad.optimization.objective import Objective, objective
+from hullquad.optimizers import OPTIMIZERS
 from hullquad.rules.built_in import KEYS
 
 SIZES = ("coarse", "fine", "very_fine")
@@ -35,6 +39,12 @@ def options_of(arguments: Sequence[str] | None) -> Namespace:
     """What was asked for; wrong usage is told, and ends the program."""
     root = parser()
     options = root.parse_args(arguments)
+    if hasattr(options, "guard"):
+        options.optimizer = options.optimizer or ("default" if options.guard else "paper")
+        if not options.guard and options.optimizer != "paper":
+            root.error("--no-guard goes with --optimizer paper: no other ever folds an element")
+    if getattr(options, "optimizer", None) == "rules" and options.rules is None:
+        root.error("--optimizer rules needs --rules NAME|FILE")
     if getattr(options, "csv", None) == "-" and options.json:
         root.error("--csv - and --json both want standard output; give --csv the name of a file")
     return options
@@ -110,16 +120,38 @@ def _add_quality(command: ArgumentParser) -> None:
 
 def _add_run(command: ArgumentParser) -> None:
     command.add_argument(
-        "--optimizer", choices=["paper", "none"], default="paper", help="how nodes are moved (default: paper)"
+        "--optimizer",
+        choices=[*(row.key for row in OPTIMIZERS), "none"],
+        help="how nodes are moved (default: default, with --no-guard paper). "
+        + " ".join(f"{row.key}: {row.words[0].lower()}{row.words[1:]}" for row in OPTIMIZERS),
     )
     command.add_argument(
         "--metric",
-        choices=[row.key for row in METRICS],
+        type=_objective,
         default="stretch",
-        metavar="KEY",
-        help="what is made better: " + ", ".join(row.key for row in METRICS) + " (default: stretch)",
+        metavar="KEY[=WEIGHT][,KEY…]",
+        help="what is made better, the first also judges: "
+        + ", ".join(row.key for row in OBJECTIVES)
+        + " (default: stretch)",
     )
-    command.add_argument("--iterations", type=_count, default=1000, metavar="N", help="at most so many (default: 1000)")
+    command.add_argument(
+        "--rules",
+        type=_file_name,
+        metavar="NAME|FILE",
+        help="rule set for --optimizer rules: " + ", ".join(KEYS) + ", or a file",
+    )
+    command.add_argument(
+        "--floor",
+        type=_floor,
+        default=0.3,
+        metavar="X|off",
+        help="scaled Jacobian that no element is pushed below for the sum of others; 0.6 makes all acceptable "
+        "(default: 0.3)",
+    )
+    command.add_argument(
+        "--iterations", type=_count, metavar="N", help="at most so many (paper: 1000 if not given)"
+    )
+    command.add_argument("--time", type=_seconds, default=inf, metavar="S", help="at most so many seconds")
     command.add_argument(
         "--no-guard",
         dest="guard",
@@ -127,6 +159,33 @@ def _add_run(command: ArgumentParser) -> None:
         help="the paper's run to the letter, which may fold elements; their number is told",
     )
     command.add_argument("--json", action="store_true", help="print one JSON object, or a list for several plates")
+
+
+def _objective(text: str) -> Objective:
+    try:
+        return objective(text)
+    except HullquadError as error:
+        raise ArgumentTypeError(f"{error.place or text!r}: {error.text}") from None
+
+
+def _floor(text: str) -> float | None:
+    if text == "off":
+        return None
+    return _number(text, "a scaled Jacobian above 0 and below 1, nor 'off'", lambda value: 0 < value < 1)
+
+
+def _seconds(text: str) -> float:
+    return _number(text, "a time of 0 seconds or more", lambda value: 0 <= value < inf)
+
+
+def _number(text: str, meant: str, is_meant: Callable[[float], bool]) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = nan
+    if not is_meant(value):
+        raise ArgumentTypeError(f"'{text}' is not {meant}")
+    return value
 
 
 def _size(text: str) -> float | str:

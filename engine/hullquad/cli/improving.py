@@ -15,14 +15,18 @@ from hullquad.cli.report import run_figures, run_text
 from hullquad.errors import FileError, HullquadError, MeshError, MeshingError, PlateError
 from hullquad.formats import check_output, read_mesh, survey_plates, write_mesh
 from hullquad.mesh import Mesh
-from hullquad.metrics import metric
 from hullquad.optimization.iterate import Iterate, Outcome
+from hullquad.optimization.settings import PaperSettings, SearchSettings
+from hullquad.optimizers import iterates
 from hullquad.placement import placed, unplaced
 from hullquad.plate import Document, Plate, Refusal
 from hullquad.quality import quality
+from hullquad.rules import rule_set
 from hullquad.triangulation.concerns import concerns_of
 from hullquad.triangulation.contour import Contour, attempts
 
+_WATCHED, _UNWATCHED = 5, 1_000_000
+"""Iterations from one look at a run to the next."""
 _Outcomes = dict[str, Contour | PlateError]
 
 
@@ -53,12 +57,14 @@ def optimize_mesh(options: Namespace) -> bool:
     try:
         mesh = placed(given)
     except MeshError as error:
-        raise error.at(str(options.input)) from error
+        if options.optimizer == "paper":
+            raise error.at(str(options.input)) from error
+        mesh = given  # its own facets are its surface
     clock = _clock()
     load(clock)
     with clock.running("optimize"):
         run = _improved(mesh, options)
-    figures = _written(run if given.surface is not None else _bare(run), options.output, options, clock)
+    figures = _written(run if given.surface is mesh.surface else _bare(run), options.output, options, clock)
     if options.json:
         say_json(figures)
     return False
@@ -108,15 +114,25 @@ def _mesh_plate(contour: Contour, input_hash: str, output: Path, options: Namesp
 
 
 def _improved(mesh: Mesh, options: Namespace) -> Outcome:
-    from hullquad.optimization.paper import PaperSettings, paper_iterates, unmoved  # noqa: PLC0415  brings Numba
+    from hullquad.optimization.paper import unmoved  # noqa: PLC0415  brings Numba
 
-    chosen = metric(options.metric)
     if options.optimizer == "none":
-        start = unmoved(mesh, chosen)
+        start = unmoved(mesh, options.metric.metric)
         return Outcome(first=start, best=start, last=start)
-    settings = PaperSettings(iterations=options.iterations, guard=options.guard)
+    rules = None if options.rules is None else rule_set(options.rules)
     with progress(mesh.plate_id or "mesh", options.iterations) as bar:
-        return pipeline.improved(paper_iterates(mesh, chosen, settings), bar.show)
+        search, paper = _settings(options, is_watched=bar.is_watched)
+        return pipeline.improved(iterates(options.optimizer, mesh, options.metric, search, paper, rules), bar.show)
+
+
+def _settings(options: Namespace, *, is_watched: bool) -> tuple[SearchSettings, PaperSettings]:
+    """Settings of the modes and of the paper's method; nobody need see what nobody watches."""
+    search = SearchSettings(floor=options.floor, seconds=options.time, stride=_WATCHED if is_watched else _UNWATCHED)
+    paper = PaperSettings(guard=options.guard)
+    if options.iterations is not None:
+        search = attrs.evolve(search, iterations=options.iterations)
+        paper = attrs.evolve(paper, iterations=options.iterations)
+    return search, paper
 
 
 def _bare(run: Outcome) -> Outcome:

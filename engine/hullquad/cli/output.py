@@ -11,6 +11,8 @@ from hullquad.errors import HullquadError
 from hullquad.optimization.iterate import Iterate
 
 _BAR = 30
+_USUAL = 1000
+"""Iterations of the paper's method when no number is given."""
 
 
 def say(text: str = "") -> None:
@@ -45,29 +47,35 @@ def finite(value: Any) -> Any:
 class Progress:
     """One line on a terminal that tells how far a run is; nothing elsewhere."""
 
-    def __init__(self, title: str, total: int) -> None:
+    is_watched = True
+
+    def __init__(self, title: str, total: int | None) -> None:
         self._title = title
         self._total = total
 
     def show(self, iterate: Iterate) -> None:
         """Tell of an iterate."""
-        if iterate.number % max(1, self._total // 200):
-            return
-        done = iterate.number / self._total if self._total else 1.0
-        bar = ("#" * int(_BAR * done)).ljust(_BAR, ".")
-        numbers = (
-            f"iteration {iterate.number} / {self._total}   {iterate.objective:.4f}   worst {iterate.quality.worst:.3f}"
-        )
-        print(f"\r{self._title} [{bar}] {numbers}\x1b[K", end="", file=sys.stderr, flush=True)  # noqa: T201
+        if iterate.stage:
+            self._say(f"{iterate.stage:<20} iteration {iterate.number}", iterate)
+        elif iterate.number % max(1, (self._total or _USUAL) // 200) == 0:
+            total = self._total or _USUAL
+            bar = ("#" * int(_BAR * iterate.number / max(total, 1))).ljust(_BAR, ".")
+            self._say(f"[{bar}] iteration {iterate.number} / {total}", iterate)
+
+    def _say(self, text: str, iterate: Iterate) -> None:
+        numbers = f"{iterate.objective:.4f}   worst {iterate.quality.worst:.3f}"
+        print(f"\r{self._title} {text}   {numbers}\x1b[K", end="", file=sys.stderr, flush=True)  # noqa: T201
 
 
 class _Silence:
+    is_watched = False
+
     def show(self, iterate: Iterate) -> None:
         """Tell nothing."""
 
 
 @contextmanager
-def progress(title: str, total: int) -> Iterator[Progress | _Silence]:
+def progress(title: str, total: int | None) -> Iterator[Progress | _Silence]:
     """A progress line for as long as the work takes."""
     if not sys.stderr.isatty():
         yield _Silence()

@@ -10,6 +10,10 @@ from hullquad.mesh import Mesh
 from hullquad.optimization import descent
 from hullquad.optimization.energy import Elements, Energy, energy_at
 from hullquad.optimization.problem import Problem
+from hullquad.optimization.rollback import ROUNDS, hold_back
+
+_CHECK = 25
+"""Iterations after which it is looked whether the mesh is the best so far, however often somebody looks at it."""
 
 
 class Course:
@@ -28,6 +32,8 @@ class Course:
     def __init__(self, given: Problem, iterations: int, seconds: float, stride: int) -> None:
         self.problem = given
         self.number = 0
+        self.is_at_check = False
+        """Whether it is time to see if the mesh is the best so far: the same iterations whatever the stride."""
         self._tangents, self.elements = _directions(given, given.points)
         self._run = descent.descent(given.points, given.movable, len(given.quads) + len(given.triangles))
         self._iterations, self._stride = iterations, stride
@@ -61,6 +67,12 @@ class Course:
         """An energy where the nodes are now."""
         return self.look(energy)[0]
 
+    def _openness(self, energy: Energy, points: Floats) -> Floats:
+        """(Q + T,) of the elements with nodes at `points`."""
+        openness = np.empty(len(self._run.openness))
+        energy_at(points, self.elements, energy, openness, openness, np.empty_like(points))
+        return openness
+
     def look(self, energy: Energy) -> tuple[float, Floats]:
         """An energy where the nodes are now, and the openness (Q + T,) of the elements."""
         openness = np.empty(len(self._run.openness))
@@ -76,7 +88,7 @@ class Course:
         before = descent.begin(self._run, self._tangents, self.elements, energy)
         status = descent.GOING_ON
         while left > 0 and status == descent.GOING_ON and not self.is_complete:
-            count = min(self._stride, left, self._iterations - self.number)
+            count = min(self._stride, left, self._iterations - self.number, _CHECK - (most - left) % _CHECK)
             place = self.points.copy() if self.problem.surface is not None else None
             status = descent.iterate(self._run, self._tangents, self.elements, energy, count, gain)
             done = int(self._run.counts[1]) - made
@@ -85,6 +97,8 @@ class Course:
                 value, made = self._brought_back(energy, place), 0
                 status = descent.CONVERGED if before - value < gain * done else status
                 before = value
+            is_over = left == 0 or status != descent.GOING_ON or self.is_complete
+            self.is_at_check = is_over or (most - left) % _CHECK == 0
             if done:
                 yield self.number
 
@@ -97,8 +111,12 @@ class Course:
         assert surface is not None  # nodes cannot leave a plane
         run.trial[:] = place
         run.trial[:movable] = surface.feet(self.points[:movable])[0]
-        run.points[:] = place
-        descent.settle(run, self.elements, energy._replace(guard=0.0), 0)
+        loose, was, now = energy._replace(guard=0.0), self._openness(energy, place), run.trial_openness
+        for _ in range(ROUNDS):
+            _, spoils = energy_at(run.trial, self.elements, loose, was, now, run.node_gradient)
+            if not spoils:
+                break
+            hold_back(place, run.trial, self.elements, was, now, loose, 0.0, run.shares)
         run.points[:] = run.trial
         weights = self.elements.quad_weights, self.elements.triangle_weights
         self._tangents, self.elements = _directions(self.problem, self.points)

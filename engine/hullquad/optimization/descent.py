@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hullquad.arrays import Floats, Longs
-from hullquad.metrics.compiled import compiled
+from hullquad.metrics.compiled import compiled, inlined
 from hullquad.optimization.energy import Elements, Energy, energy_at
 from hullquad.optimization.rollback import HALVINGS, ROUNDS, hold_back
 
@@ -80,14 +80,14 @@ def descent(points: Floats, movable: int, elements: int) -> Descent:
     )
 
 
-@compiled
 def begin(run: Descent, tangents: Floats, elements: Elements, energy: Energy) -> float:
     """Begin with another energy where the nodes are now; gives it."""
     run.counts[:] = 0
     run.values[:] = np.inf
     run.trial[:] = run.points
     value, _ = energy_at(run.points, elements, energy, run.openness, run.openness, run.node_gradient)
-    _reduce(run.node_gradient, tangents, run.gradient)
+    movable = run.node_gradient[: len(tangents)]
+    run.gradient[:] = np.einsum("ma,mwa->mw", movable, tangents).ravel()
     run.values[0] = value
     return value
 
@@ -110,7 +110,7 @@ def iterate(run: Descent, tangents: Floats, elements: Elements, energy: Energy, 
     return GOING_ON
 
 
-@compiled
+@inlined
 def _step(run: Descent, tangents: Floats, elements: Elements, energy: Energy) -> bool:
     """One iteration; from the steepest descent again where the remembered steps lead nowhere."""
     while True:
@@ -123,7 +123,7 @@ def _step(run: Descent, tangents: Floats, elements: Elements, energy: Energy) ->
         run.counts[0] = 0
 
 
-@compiled
+@inlined
 def _aim(run: Descent, size: float) -> tuple[float, float]:
     """Set the direction (Algorithm 7.4); gives the slope along it and its longest unknown."""
     direction, alphas = run.direction, np.empty(PAIRS)
@@ -148,55 +148,56 @@ def _aim(run: Descent, size: float) -> tuple[float, float]:
     return _product(run.gradient, direction), longest
 
 
-@compiled
+@inlined
 def _search(run: Descent, tangents: Floats, elements: Elements, energy: Energy, slope: float, longest: float) -> bool:
     """Whether a step along the direction makes the energy smaller; leaves it in `trial` and `trial_gradient`."""
     before = run.values[run.counts[1] % (LOOK_BACK + 1)]
     most = _FARTHEST * energy.size / max(longest, 1e-300)
-    low, high, length, kept = 0.0, np.inf, min(1.0, most), 0.0
-    for _ in range(_SEARCHES):
+    low, high, length, is_last = 0.0, np.inf, min(1.0, most), False
+    for search in range(_SEARCHES):
         value, is_whole, along = _try(run, tangents, elements, energy, length, slope)
-        if not (along < 0.0 and value <= before + _DECREASE * along):
-            high = length
-            length = 0.5 * (low + high) if low > 0.0 else 0.4 * length
-        elif is_whole and length < 0.99 * most and _product(run.trial_gradient, run.direction) < _CURVATURE * slope:
-            low, kept = length, length
-            length = 0.5 * (low + high) if high < np.inf else min(2.0 * low, most)
-        else:
+        is_lower = along < 0.0 and value <= before + _DECREASE * along
+        is_steep = is_whole and _product(run.trial_gradient, run.direction) < _CURVATURE * slope
+        if is_last or (is_lower and not (is_steep and length < 0.99 * most)):
             run.values[(run.counts[1] + 1) % (LOOK_BACK + 1)] = value
             return True
-    if kept > 0.0:
-        value, _, _ = _try(run, tangents, elements, energy, kept, slope)
-        run.values[(run.counts[1] + 1) % (LOOK_BACK + 1)] = value
-    return kept > 0.0
+        if is_lower:
+            low = length
+            length = 0.5 * (low + high) if high < np.inf else min(2.0 * low, most)
+        else:
+            high = length
+            length = 0.5 * (low + high) if low > 0.0 else 0.4 * length
+        if search == _SEARCHES - 2 and low > 0.0:
+            length, is_last = low, True  # the longest that was found to be lower
+    return False
 
 
-@compiled
+@inlined
 def _try(
     run: Descent, tangents: Floats, elements: Elements, energy: Energy, length: float, slope: float
 ) -> tuple[float, bool, float]:
     """Energy a step away, whether all nodes made the whole step, and the slope times the step that was made."""
     _move(run.points, tangents, run.direction, length, run.trial)
-    value, is_whole = settle(run, elements, energy, HALVINGS)
+    value, is_whole = _settle(run, elements, energy)
     _reduce(run.node_gradient, tangents, run.trial_gradient)
     return value, is_whole, slope * length if is_whole else _slope_made(run, tangents)
 
 
-@compiled
-def settle(run: Descent, elements: Elements, energy: Energy, halvings: int) -> tuple[float, bool]:
+@inlined
+def _settle(run: Descent, elements: Elements, energy: Energy) -> tuple[float, bool]:
     """Energy of the trial, once no element is spoilt by it, and whether nothing had to be held back for that."""
     for round_ in range(ROUNDS):
         value, spoils = energy_at(run.trial, elements, energy, run.openness, run.trial_openness, run.node_gradient)
         if not spoils:
             return value, round_ == 0
-        share = 0.5 if round_ < halvings else 0.0
+        share = 0.5 if round_ < HALVINGS else 0.0
         hold_back(
             run.points, run.trial, elements, run.openness, run.trial_openness, energy, share, run.shares
         )  # fmt: skip
     return np.inf, False
 
 
-@compiled
+@inlined
 def _remember(run: Descent, tangents: Floats, size: float) -> None:
     """Make the trial the present iterate and keep the step with its change of gradient."""
     row = run.counts[2] % PAIRS

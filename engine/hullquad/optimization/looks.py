@@ -36,7 +36,7 @@ def looks(
     for stage in stages:
         yield newest
         now = course.mesh()
-        value = rank()
+        value = rank() if course.is_at_check else best
         is_best = value > best
         best, is_better = max(best, value), is_better or is_best
         newest = _next(newest, now, objective, course.number, stage, is_best=is_best)
@@ -49,8 +49,9 @@ def ending(course: Course, last: Iterate, *, is_better: bool) -> Stop:
         return stops.ITERATIONS
     if course.is_complete:
         return stops.TIME
-    if last.quality.inverted_count:
-        return stops.still_folded(last.mesh.topology.element_labels[~last.quality.valid].tolist())
+    folded = ~last.quality.valid & ~course.problem.turned
+    if folded.any():
+        return stops.still_folded(last.mesh.topology.element_labels[folded].tolist())
     return stops.GAIN if is_better else stops.NO_GAIN
 
 

@@ -3,11 +3,11 @@
 import attrs
 import numpy as np
 
-from hullquad.arrays import Bools, Floats, Ints, Longs, floats, ints, longs
+from hullquad.arrays import Bools, Floats, Ints, Longs, bools, floats, ints, longs
 from hullquad.mesh import Mesh
 from hullquad.optimization.facets import Facets, facets
 from hullquad.optimization.order import along_a_curve
-from hullquad.topology import NodeState, half_edges, paired_sides
+from hullquad.topology import NodeState, half_edges, paired_sides, reversed_elements
 
 _UP = (0.0, 0.0, 1.0)
 _CREASE = np.cos(np.radians(30.0))
@@ -38,6 +38,8 @@ class Problem:
     """(Q,) their rows in the mesh."""
     triangle_rows: Longs = attrs.field(converter=longs)
     """(T,)"""
+    turned: Bools = attrs.field(converter=bools)
+    """(E,) elements of the mesh that run against their neighbours and are seen here the other way round."""
     surface: Facets | None
     """What nodes are brought back onto; None on a plane, which they cannot leave."""
 
@@ -74,8 +76,9 @@ def problem(mesh: Mesh, chosen: Bools | None = None) -> Problem:
     flat = mesh.parameters if mesh.surface is not None else None
     if flat is None:
         may_move = may_move & ~_on_creases(mesh)
-    elements = mesh.topology.elements
-    touched = np.flatnonzero((may_move[elements] & (elements >= 0)).any(axis=1))
+    turned = reversed_elements(mesh.topology.elements) if mesh.is_bare else np.zeros(len(mesh.topology.elements), bool)
+    elements = np.where(turned[:, None], _other_way_round(mesh.topology.elements), mesh.topology.elements)
+    all_elements, touched = elements, np.flatnonzero((may_move[elements] & (elements >= 0)).any(axis=1))
     elements = elements[touched]
     may_move = may_move & _are_used(elements, len(may_move))
     points = mesh.points if flat is None else np.concatenate([flat, np.zeros((len(flat), 1))], axis=1)
@@ -93,7 +96,8 @@ def problem(mesh: Mesh, chosen: Bools | None = None) -> Problem:
         triangles=renumbered[triangles, :3],
         quad_rows=touched[quads],
         triangle_rows=touched[triangles],
-        surface=facets(mesh.points, mesh.topology.elements) if flat is None else None,
+        turned=turned,
+        surface=facets(mesh.points, all_elements) if flat is None else None,
     )
 
 
@@ -109,6 +113,12 @@ def _on_creases(mesh: Mesh) -> Bools:
     found = np.zeros(len(mesh.points), dtype=bool)
     found[sides[one[is_sharp]]] = True
     return found
+
+
+def _other_way_round(elements: Ints) -> Ints:
+    """(E, 4) the same elements, their nodes in the opposite order."""
+    quads = elements[:, [0, 3, 2, 1]]
+    return np.where(elements[:, 3:] < 0, elements[:, [0, 2, 1, 3]], quads)
 
 
 def _ordered(points: Floats, may_move: Bools, elements: Ints) -> Longs:
