@@ -12,6 +12,8 @@ class Abilities:
 
     can_step: bool = False
     can_run: bool = False
+    can_untangle: bool = False
+    """Elements of the shown mesh are inside out."""
     can_pause: bool = False
     can_reset: bool = False
     can_scrub: bool = False
@@ -37,6 +39,7 @@ def abilities(document: Document, jobs: Jobs) -> Abilities:
     return Abilities(
         can_step=is_idle,
         can_run=is_idle,
+        can_untangle=is_idle and scene.quality is not None and scene.quality.inverted_count > 0,
         can_pause=scene.running,
         can_reset=iterates > 1,
         can_scrub=iterates > 1,

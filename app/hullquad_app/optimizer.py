@@ -2,15 +2,15 @@
 
 from PySide6.QtCore import QObject, Signal
 
-from hullquad.metrics import Metric
 from hullquad.optimization.iterate import Iterate
-from hullquad.optimization.settings import PaperSettings
 from hullquad.optimization.stops import Stop
 from hullquad_app.document import Document
-from hullquad_app.metric_words import name_of
-from hullquad_app.panels.figures import unit_of
+from hullquad_app.paused import Paused
+from hullquad_app.plan import Plan
 from hullquad_app.recording import Recording
 from hullquad_app.run import Run
+from hullquad_app.run_words import run_label
+from hullquad_app.scene import Scene
 
 
 class Optimizer(QObject):
@@ -27,7 +27,7 @@ class Optimizer(QObject):
         """Tell its `painted` how long a frame took."""
         self._document = document
         self._recording: Recording | None = None
-        self._settings = PaperSettings()
+        self._paused: Paused | None = None
         self._due = 0
         """Steps asked for while one goes on."""
         self.run.advanced.connect(self._show)
@@ -48,15 +48,19 @@ class Optimizer(QObject):
         """Have another step begin when the one that goes on ends, unless something else is wanted before."""
         self._due += 1
 
-    def start(self, metric: Metric, settings: PaperSettings, steps: int | None = None) -> None:
-        """Improve the shown mesh until the method or `steps` iterations end it, or a pause; drops later iterates."""
+    def start(self, plan: Plan, steps: int | None = None) -> None:
+        """Improve the shown mesh until the method or `steps` iterations end it, or a pause; drops later iterates.
+
+        A run that was paused where the shown mesh is goes on, if the plan is still the same: `steps` presses of a
+        button and one run of as many iterations come to the same.
+        """
         scene = self._document.scene
         if scene.mesh is None or self.is_running:
             return
-        self._settings = settings
-        self._recording = Recording(scene, metric, is_step=steps == 1)
+        paused = self._taken_up(scene, plan)
+        self._recording = Recording(scene, plan, is_step=steps == 1, paused=paused)
         self._document.preview(self._recording.track)
-        self.run.start(scene.mesh, metric, settings, steps)
+        self.run.start(self._recording.source, None if steps is None else steps + self._recording.is_new)
 
     def pause(self) -> None:
         """End the run after the iterate in the making; returns at once."""
@@ -71,7 +75,16 @@ class Optimizer(QObject):
     def stop_and_wait(self) -> None:
         """End the run and its thread, recording nothing."""
         self.run.stop_and_wait()
+        if self._recording is not None:
+            self._recording.source.close()
         self._recording = None
+        self.forget()
+
+    def forget(self) -> None:
+        """Let the run that was paused not go on."""
+        if self._paused is not None:
+            self._paused.source.close()
+        self._paused = None
 
     def hold(self, position: int) -> None:
         """Show an iterate while the run goes on; the newest: follow the run again."""
@@ -79,6 +92,13 @@ class Optimizer(QObject):
         if self._recording is not None:
             self._recording.hold(position)
             self._preview(self._recording)
+
+    def _taken_up(self, scene: Scene, plan: Plan) -> Paused | None:
+        """The run that was paused, if it goes on; what cannot go on is given up."""
+        if self._paused is not None and not self._paused.goes_on(scene.iterate, plan):
+            self.forget()
+        paused, self._paused = self._paused, None
+        return paused
 
     def _preview(self, recording: Recording) -> None:
         self._document.preview(recording.track, recording.position)
@@ -94,27 +114,30 @@ class Optimizer(QObject):
         if recording is None:
             return
         if recording.is_empty:
-            self._document.restore(recording.start)
-            if stop is not None:
-                self.ended_unmoved.emit(stop)
+            self._leave(recording, stop)
             return
-        after = recording.after(self._document.scene.state)
-        self._document.change(self._label(recording, stop), after, recording.key, recording.result(stop))
+        self._keep(recording, stop)
+        if stop is None:
+            self._paused = recording.paused()
         if due and stop is None:
-            self.start(recording.metric, self._settings, steps=1)
+            self.start(recording.plan, steps=1)
             self._due = due - 1
+
+    def _leave(self, recording: Recording, stop: Stop | None) -> None:
+        """Have the document as it was before a run that has moved nothing."""
+        self._document.restore(recording.start)
+        recording.source.close()
+        if stop is not None:
+            self.ended_unmoved.emit(stop)
+
+    def _keep(self, recording: Recording, stop: Stop | None) -> None:
+        """Have a run in the document, as one step of undo."""
+        label = run_label(recording.plan, *recording.ends(stop), is_step=recording.is_step)
+        after = self._document.scene.state.with_track(recording.key, recording.track)
+        self._document.change(label, after, recording.key, recording.result(stop))
 
     def _fail(self, problem: Exception) -> None:
         self._due = 0
         self._end(None)
+        self.forget()
         self.failed.emit(problem)
-
-    def _label(self, recording: Recording, stop: Stop | None) -> str:
-        before, after = recording.objectives(stop)
-        unit = unit_of(recording.metric)
-        text = (
-            self.tr("Step {metric}: {before} → {after}")
-            if recording.is_step
-            else self.tr("Optimize {metric}: {before} → {after}")
-        )
-        return text.format(metric=name_of(recording.metric), before=f"{before:.2f}{unit}", after=f"{after:.2f}{unit}")

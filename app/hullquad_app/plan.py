@@ -43,9 +43,7 @@ class Plan:
         return Source(self._iterates(mesh), self.search.seconds or inf)
 
     def _iterates(self, mesh: Mesh) -> Generator[Iterate, None, None]:
-        settings = SearchSettings(
-            floor=self.search.floor, iterations=self.search.iterations, chosen=self.chosen(mesh)
-        )
+        settings = SearchSettings(floor=self.search.floor, iterations=self.search.iterations, chosen=self.chosen(mesh))
         yield from iterates(self.optimizer.key, mesh, self.objective, settings, self.paper, self.rules)
 
     def chosen(self, mesh: Mesh) -> Bools | None:

@@ -8,10 +8,7 @@ from time import perf_counter
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from hullquad.mesh import Mesh
-from hullquad.metrics import Metric
 from hullquad.optimization.iterate import Iterate
-from hullquad.optimization.settings import PaperSettings
 from hullquad.optimization.stops import Stop
 from hullquad_app.mailbox import Mailbox
 from hullquad_app.track import thinned
@@ -31,9 +28,9 @@ class Run(QObject):
     """
 
     advanced = Signal(object)
-    """Emitted with the list of new iterates; the very first one is the mesh that the run began with."""
+    """Emitted with the list of new iterates."""
     ended = Signal(object)
-    """Emitted with the `Stop` of a run that ended by itself, None after its steps were done or a pause."""
+    """Emitted with the `Stop` of a run that ended by itself, None after a pause or when so many were made."""
     failed = Signal(object)
     """Emitted instead with the exception that ended the run."""
 
@@ -51,14 +48,15 @@ class Run(QObject):
         """Whether `ended` or `failed` is still to come."""
         return self._mailbox is not None
 
-    def start(
-        self, mesh: Mesh, metric: Metric, settings: PaperSettings | None = None, steps: int | None = None
-    ) -> None:
-        """Improve a mesh until the method or `steps` iterations end it, or a pause."""
+    def start(self, iterates: Iterator[Iterate], count: int | None = None) -> None:
+        """Have iterates made until they end by themselves, `count` of them are there, or a pause.
+
+        Nobody else may ask for them meanwhile; afterwards another start goes on with the next one.
+        """
         if self._mailbox is not None:
             raise RuntimeError("a run goes on")
         self._stop = None
-        self._mailbox = Mailbox(partial(_iterates, mesh, metric, settings, steps), self._thinned)
+        self._mailbox = Mailbox(lambda: islice(iterates, count), self._thinned)
         self._wait(FIRST_WAIT)
 
     def pause(self) -> None:
@@ -114,9 +112,3 @@ class Run(QObject):
             self.ended.emit(self._stop)
         else:
             self.failed.emit(problem)
-
-
-def _iterates(mesh: Mesh, metric: Metric, settings: PaperSettings | None, steps: int | None) -> Iterator[Iterate]:
-    from hullquad.optimization.paper import paper_iterates  # brings Numba: half a second
-
-    yield from islice(paper_iterates(mesh, metric, settings), None if steps is None else steps + 1)

@@ -4,6 +4,8 @@ import attrs
 
 FLOORS = (0.3, 0.6, None)
 """Scaled Jacobians that no element is to be pushed below for the sake of others; None: the sum alone counts."""
+MOST_ITERATIONS = 1_000_000
+MOST_SECONDS = 86_400
 MOST_RINGS = 99
 
 

@@ -16,9 +16,10 @@ from hullquad_app.abilities import Abilities, abilities
 from hullquad_app.bookmarks import Bookmarks
 from hullquad_app.document import Document
 from hullquad_app.judging import Judging
-from hullquad_app.objectives import optimised_by
 from hullquad_app.optimizer import Optimizer
+from hullquad_app.plan import UNTANGLE, plan, planned
 from hullquad_app.scene import Scene
+from hullquad_app.search import Search
 from hullquad_app.settings import Settings
 from hullquad_app.track import Track
 from hullquad_app.work import Size
@@ -112,6 +113,12 @@ class Session(QObject):
         """Iterations from the iterate that is shown, until the method ends or somebody pauses."""
         self._optimize(steps=None)
 
+    def untangle(self) -> None:
+        """Turn elements that are inside out the right way, whatever optimiser is chosen."""
+        if self.abilities.can_untangle:
+            search = Search(optimizer=UNTANGLE)
+            self.optimizer.start(planned(self.document.scene, search, self.settings.paper, self.settings.objective))
+
     def pause(self) -> None:
         """End the run after the iterate in the making."""
         self.optimizer.pause()
@@ -160,10 +167,14 @@ class Session(QObject):
         """Have the next run use other parameters."""
         self.settings.paper = paper
 
-    def choose_objective(self, key: str | None) -> None:
-        """Optimise by another metric than the one that is shown; None: by that."""
+    def set_search(self, search: Search) -> None:
+        """Have the next run use another optimiser or other options."""
+        self.settings.search = search
+
+    def choose_objective(self, written: str | None) -> None:
+        """Optimise by ``KEY[=WEIGHT][,KEY…]``; None: by the metric that is shown."""
         self.optimizer.finish()
-        self.settings.objective = key
+        self.settings.objective = written
 
     def undo(self) -> None:
         """Take the last edit back; a run that goes on is the last edit."""
@@ -196,6 +207,7 @@ class Session(QObject):
             source.connect(signal)
         self.document.changed.connect(self._remember)
         self.opened.connect(self.settings.add_recent)
+        self.opened.connect(self.optimizer.forget)
         self.optimizer.ended_unmoved.connect(self._tell_stop)
         self.optimizer.failed.connect(self._tell_failed)
         self.document.edits.canUndoChanged.connect(self._tell_able)
@@ -204,9 +216,11 @@ class Session(QObject):
             job.ended.connect(self._tell_able)
 
     def _optimize(self, steps: int | None) -> None:
-        if self.abilities.can_run:
-            by = optimised_by(self.document.scene.view.metric, self.settings.objective)
-            self.optimizer.start(by, self.settings.paper, steps)
+        asked = plan(self.document.scene, self.settings)
+        if asked.optimizer.has_rules and asked.rules is None:
+            self.message.emit(self.tr("Which rules are to be met? Choose a rule set to judge by first."))
+        elif self.abilities.can_run:
+            self.optimizer.start(asked, steps)
 
     def _files(self, path: Path) -> dict[Path, Mesh]:
         """Shown mesh of every plate that has one, by the file it goes to."""

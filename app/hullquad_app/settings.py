@@ -10,14 +10,18 @@ from typing import Any, TypeVar
 import attrs
 from PySide6.QtCore import QByteArray, QSettings
 
-from hullquad.metrics import METRICS, OBJECTIVES, Band, Metric, metric
+from hullquad.errors import HullquadError
+from hullquad.metrics import METRICS, Band, Metric, metric
+from hullquad.optimization.objective import objective
 from hullquad.optimization.settings import PaperSettings
+from hullquad.optimizers import OPTIMIZERS
+from hullquad_app.search import FLOORS, MOST_ITERATIONS, MOST_RINGS, MOST_SECONDS, Search
 
 MOST_RECENT = 10
 THEMES = ("system", "light", "dark")
 
 _KEYS = frozenset(row.key for row in METRICS)
-_OBJECTIVES = frozenset(row.key for row in OBJECTIVES)
+_OPTIMIZERS = frozenset(row.key for row in OPTIMIZERS)
 _LEAST = {"step": 0.0, "iterations": 1, "tolerance": 0.0, "window": 1}
 
 Kept = TypeVar("Kept")
@@ -107,12 +111,12 @@ class Settings:
 
     @property
     def objective(self) -> str | None:
-        """Key of the metric to optimise by; None for the one that is shown."""
-        return self._read("objective", lambda value: value if value in _OBJECTIVES else None, None)
+        """What to optimise by, ``KEY[=WEIGHT][,KEY…]``; None for the metric that is shown."""
+        return self._read("objective", _objective, None)
 
     @objective.setter
-    def objective(self, key: str | None) -> None:
-        self._write("objective", key)
+    def objective(self, written: str | None) -> None:
+        self._write("objective", written)
 
     @property
     def paper(self) -> PaperSettings:
@@ -122,6 +126,15 @@ class Settings:
     @paper.setter
     def paper(self, paper: PaperSettings) -> None:
         self._write("paper", attrs.asdict(paper))
+
+    @property
+    def search(self) -> Search:
+        """The optimiser and its options."""
+        return self._read("search", _search, Search())
+
+    @search.setter
+    def search(self, search: Search) -> None:
+        self._write("search", attrs.asdict(search))
 
     def _read(self, name: str, meant: Callable[[Any], Kept], otherwise: Kept) -> Kept:
         try:
@@ -154,6 +167,39 @@ def _bands(value: dict[str, list[float]]) -> dict[str, Band]:
 def _is_band(row: Metric, limits: list[float]) -> bool:
     is_whole = len(limits) == len(row.limits(row.band)) and all(map(isfinite, limits))
     return is_whole and limits == sorted(limits)
+
+
+def _objective(value: str | None) -> str | None:
+    if value is None:
+        return None
+    try:
+        objective(value)
+    except HullquadError:
+        return None
+    return value
+
+
+_SEARCH: dict[str, Callable[[Any], bool]] = {
+    "optimizer": lambda value: value in _OPTIMIZERS,
+    "floor": lambda value: any(value is floor or (_is_number(value) and value == floor) for floor in FLOORS),
+    "iterations": lambda value: _is_whole(value, 1, MOST_ITERATIONS),
+    "seconds": lambda value: _is_whole(value, 0, MOST_SECONDS),
+    "is_local": lambda value: isinstance(value, bool),
+    "rings": lambda value: _is_whole(value, 0, MOST_RINGS),
+}
+"""Which values of its fields are sound."""
+
+
+def _search(value: dict[str, Any]) -> Search:
+    return Search(**{name: given for name, given in value.items() if name in _SEARCH and _SEARCH[name](given)})
+
+
+def _is_number(value: Any) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def _is_whole(value: Any, least: int, most: int) -> bool:
+    return isinstance(value, int) and not isinstance(value, bool) and least <= value <= most
 
 
 def _paper(value: dict[str, Any]) -> PaperSettings:

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 import attrs
 
 from hullquad.optimization.iterate import Iterate
+from hullquad_app.passage import Passage
 
 BUDGET = 512 * 2**20
 """Bytes that the iterates of one plate may take."""
@@ -19,6 +20,8 @@ class Track:
     """
 
     iterates: tuple[Iterate, ...]
+    passages: tuple[Passage, ...] = ()
+    """The runs that they came of, as far as that is known."""
 
     @property
     def first(self) -> Iterate:
@@ -32,18 +35,28 @@ class Track:
 
     def until(self, position: int) -> "Track":
         """The track up to that iterate: what a run that starts there goes on from."""
-        return Track(self.iterates[: position + 1])
+        kept = self.iterates[: position + 1]
+        return Track(kept, tuple(passage for passage in self.passages if passage.start < kept[-1].number))
+
+    def with_passage(self, passage: Passage) -> "Track":
+        """The track with what is known of its last run; what was known of it before is out of date."""
+        others = (other for other in self.passages if other.start != passage.start)
+        return attrs.evolve(self, passages=(*others, passage))
+
+    def passage_at(self, number: int) -> Passage | None:
+        """The run that an iterate came of; the first iterate came of none."""
+        return next((passage for passage in reversed(self.passages) if passage.start < number), None)
 
     def with_run(self, run: Iterable[Iterate], budget: int = BUDGET) -> "Track":
         """The track with the iterates of a run that began with its last one, thinned to the budget."""
         began, *later = run
         again = attrs.evolve(began, number=self.last.number)
-        return Track((*self.iterates[:-1], again)).with_more(later, self.last.number, budget)
+        return attrs.evolve(self, iterates=(*self.iterates[:-1], again)).with_more(later, self.last.number, budget)
 
     def with_more(self, later: Iterable[Iterate], offset: int, budget: int = BUDGET) -> "Track":
         """The track with further iterates of a run that began at the number `offset`."""
         numbered = (attrs.evolve(iterate, number=iterate.number + offset) for iterate in later)
-        return Track(tuple(thinned((*self.iterates, *numbered), budget)))
+        return attrs.evolve(self, iterates=tuple(thinned((*self.iterates, *numbered), budget)))
 
     def row(self, number: int) -> int:
         """Position of the iterate of that number, or of the one kept before it."""

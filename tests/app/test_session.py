@@ -17,6 +17,7 @@ from hullquad.optimization.paper import PaperSettings, unmoved
 from hullquad.triangulation.contour import contours
 from hullquad_app.abilities import Abilities
 from hullquad_app.scene import State
+from hullquad_app.search import Search
 from hullquad_app.session import Session
 from hullquad_app.settings import Settings
 from hullquad_app.track import Track
@@ -47,6 +48,7 @@ def settings(tmp_path):
 def session(qapp, settings):
     before = children()
     session = Session(settings)
+    session.set_search(Search(optimizer="paper"))
     session.set_paper(SHORT)
     yield session
     session.stop_and_wait()
