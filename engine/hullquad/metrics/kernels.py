@@ -142,8 +142,9 @@ def load(
 ) -> None:  # fmt: skip
     """Lay out the points of some elements, what they must face and what their areas are relative to."""
     nodes = len(program.inputs) - 2
-    if program.inputs[:nodes].min() < 0:
-        return  # nothing is made of all the points
+    for node in range(nodes):
+        if program.inputs[node] < 0:
+            return  # nothing is made of the points
     a, b, c = np.uint64(program.inputs[0]), np.uint64(program.inputs[1]), np.uint64(program.inputs[2])
     d = np.uint64(program.inputs[nodes - 1])
     for i in range(np.uint64(filled)):
