@@ -1,14 +1,17 @@
 """The whole way of a plate: contour -> triangles -> quads -> better quads."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 
+import attrs
 import numpy as np
 
-from hullquad.arrays import Bytes
+from hullquad.arrays import Bytes, Floats, Ints
 from hullquad.errors import HullquadError, MeshingError
 from hullquad.mesh import Mesh
 from hullquad.optimization.iterate import Iterate, Outcome, outcome
 from hullquad.plate import Plate
+from hullquad.quads.settings import MeshSettings
+from hullquad.quads.stages import Step
 from hullquad.surface import Plane
 from hullquad.topology import NodeState, topology
 from hullquad.triangulation.contour import MOST_ELEMENTS, Contour
@@ -35,20 +38,91 @@ def paper_mesh(contour: Contour, input_hash: str = "") -> Mesh:
     from hullquad.quads.join import elements, joins  # noqa: PLC0415  brings Numba: half a second
     from hullquad.quads.pairs import pairs  # noqa: PLC0415
 
-    plate, surface = contour.plate, plane_of(contour.plate)
+    surface = plane_of(contour.plate)
     triangulation = _triangulated(contour)
-    points = surface.points(triangulation.nodes)
-    points[: len(contour.points)] = contour.points
+    points = _points(contour, triangulation.nodes)
     possible = pairs(points, triangulation.triangles, surface.normal[None])
+    return _mesh(contour, triangulation.nodes, elements(possible, joins(possible)), input_hash)
+
+
+@attrs.frozen(eq=False, kw_only=True)
+class MeshStage:
+    """A state of a mesh that is being made."""
+
+    step: Step
+    mesh: Mesh
+    candidate: int
+    """Which of several ways to place the points this is, from 0."""
+    candidates: int
+    """So many at most."""
+    is_best: bool
+    """Whether it is a finished mesh, and the best so far: the last one of these is the result."""
+
+
+def best_stages(contour: Contour, input_hash: str = "", settings: MeshSettings | None = None) -> Iterator[MeshStage]:
+    """All states of the best mesher, candidate after candidate; cancelling is not pulling.
+
+    Raises
+    ------
+    MeshingError, WorkerError
+        The plate could not be triangulated.
+    """
+    from hullquad.quads.portfolio import trials  # noqa: PLC0415  brings Numba: half a second
+
+    plane_of(contour.plate)
+    try:
+        for trial in trials(contour, settings or MeshSettings()):
+            state = trial.draught
+            yield MeshStage(
+                step=state.step,
+                mesh=_mesh(contour, state.nodes, state.elements, input_hash),
+                candidate=trial.number,
+                candidates=trial.count,
+                is_best=trial.is_best,
+            )
+    except HullquadError as error:
+        raise error.concerning(contour.plate.id) from error
+
+
+def best_mesh(
+    contour: Contour,
+    input_hash: str = "",
+    settings: MeshSettings | None = None,
+    watch: Callable[[MeshStage], None] = lambda _: None,
+) -> Mesh:
+    """The best mesh there is: as few triangles as the contour allows, then few and well shaped quads.
+
+    Every stage is shown to `watch`.
+
+    Raises
+    ------
+    MeshingError, WorkerError
+        The plate could not be triangulated.
+    """
+    for stage in best_stages(contour, input_hash, settings):
+        watch(stage)
+        if stage.is_best:
+            best = stage.mesh
+    return best  # every plate has a first candidate
+
+
+def _points(contour: Contour, nodes: Floats) -> Floats:
+    """(N, 3) nodes in space; those of the contour keep their bits."""
+    points = plane_of(contour.plate).points(nodes)
+    points[: len(contour.points)] = contour.points
+    return points
+
+
+def _mesh(contour: Contour, nodes: Floats, elements: Ints, input_hash: str) -> Mesh:
     return Mesh(
-        points=points,
-        topology=topology(elements(possible, joins(possible)), _states(contour, len(points))),
+        points=_points(contour, nodes),
+        topology=topology(elements, _states(contour, len(nodes))),
         target_size=contour.size,
-        surface=surface,
-        parameters=triangulation.nodes,
+        surface=plane_of(contour.plate),
+        parameters=nodes,
         lines=contour.lines,
-        plate_id=plate.id,
-        thickness=plate.thickness,
+        plate_id=contour.plate.id,
+        thickness=contour.plate.thickness,
         input_hash=input_hash,
     )
 
@@ -102,7 +176,9 @@ def prepare() -> None:
     from hullquad.quads.augment import augment  # noqa: PLC0415
     from hullquad.quads.join import elements, joins  # noqa: PLC0415
     from hullquad.quads.pairs import pairs  # noqa: PLC0415
+    from hullquad.quads.preparation import prepare_kernels  # noqa: PLC0415
 
+    prepare_kernels()
     ground = Plane([0, 0, 0], [1, 0, 0], [0, 1, 0])
     nodes = np.array([[0, 0], [2, 0], [2, 1], [1, 1], [0, 1]], dtype=float)
     triangles = np.array([[0, 1, 3], [1, 2, 3], [0, 3, 4]], dtype=np.int32)

@@ -1,6 +1,6 @@
 """The paper's pairing as a whole, and the elements it leaves."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
@@ -26,7 +26,12 @@ def elements(pairs: Pairs, steps: Iterable[Join]) -> Ints:
         for pair in join.parted:
             del joined[pair]
         joined.update(dict.fromkeys(join.joined))
-    rows = np.fromiter(joined, dtype=np.int64, count=len(joined))
+    return joined_elements(pairs, list(joined))
+
+
+def joined_elements(pairs: Pairs, joined: Sequence[int]) -> Ints:
+    """(E, 4) quads of the pairs in these rows, then the triangles left, ending with -1."""
+    rows = np.asarray(joined, dtype=np.int64)
     left = np.ones(len(pairs.triangles), dtype=bool)
     left[pairs.members[rows]] = False
     triangles = pairs.triangles[left]

@@ -23,6 +23,9 @@ LEAST_SCALED_JACOBIAN = 0.02
 LARGEST_ANGLE = 178.0
 """[degrees]; a joined quad must be better than both."""
 
+HOPE = 0.01
+"""Score of a quad that is not acceptable as it is, but may be when its free nodes have moved."""
+
 
 @attrs.frozen(eq=False, kw_only=True)
 class Pairs:
@@ -47,7 +50,9 @@ class Pairs:
         return np.asarray((self.neighbours < 0).any(axis=1))
 
 
-def pairs(points: Floats, triangles: Ints, normals: Floats, constraints: Ints | None = None) -> Pairs:
+def pairs(
+    points: Floats, triangles: Ints, normals: Floats, constraints: Ints | None = None, held: int | None = None
+) -> Pairs:
     """Acceptable pairs: convex, scaled Jacobian above 0.02, largest angle below 178 degrees.
 
     Parameters
@@ -60,6 +65,9 @@ def pairs(points: Floats, triangles: Ints, normals: Floats, constraints: Ints | 
         Normal of the plate.
     constraints : (K, 2) int array, optional
         Edges that must stay.
+    held : int, optional
+        So many nodes, the first ones, cannot be moved; pairs that moving the others may mend are then acceptable
+        too, with the least of scores.
     """
     one, other, side, other_side = _common_edges(triangles, constraints)
     quads = np.stack(
@@ -74,6 +82,11 @@ def pairs(points: Floats, triangles: Ints, normals: Floats, constraints: Ints | 
     scores, acceptable = _judged(points, quads, normals)
     neighbours, pair_across = np.full((2, *triangles.shape), -1, dtype=np.int32)
     neighbours[one, side], neighbours[other, other_side] = other, one
+    if held is not None:
+        hopeful = ~acceptable & _may_be_mended(
+            points, quads, normals, neighbours, (one, side), (other, other_side), held
+        )
+        scores, acceptable = np.where(hopeful, HOPE, scores), acceptable | hopeful
     row = np.where(acceptable, np.cumsum(acceptable) - 1, -1)
     pair_across[one, side] = pair_across[other, other_side] = row
     return Pairs(
@@ -106,3 +119,31 @@ def _judged(points: Floats, quads: Ints, normals: Floats) -> tuple[Floats, Bools
     max_angle, _ = judged_values(metric("max_angle"), points, quads, normals)
     acceptable = valid & (scaled_jacobian > LEAST_SCALED_JACOBIAN) & (max_angle < LARGEST_ANGLE)
     return np.cbrt(np.maximum(0.0, shape * stretch * scaled_jacobian)), acceptable
+
+
+def _may_be_mended(
+    points: Floats,
+    quads: Ints,
+    normals: Floats,
+    neighbours: Ints,
+    first: tuple[Longs, Longs],
+    second: tuple[Longs, Longs],
+    held: int,
+) -> Bools:
+    """Which quads can be made convex by moving nodes: no bad corner is given by two edges of the contour."""
+    (one, side), (other, other_side) = first, second
+    on_rim = np.stack(  # sides of the quad, from each node to the next
+        [
+            neighbours[one, (side + 2) % 3] < 0,
+            neighbours[other, (other_side + 1) % 3] < 0,
+            neighbours[other, (other_side + 2) % 3] < 0,
+            neighbours[one, (side + 1) % 3] < 0,
+        ],
+        axis=1,
+    )
+    corners = points[quads]
+    ahead, back = np.roll(corners, -1, axis=1) - corners, np.roll(corners, 1, axis=1) - corners
+    jacobians = np.cross(ahead, back) @ normals[0]
+    is_flat = jacobians < 0.03 * np.linalg.norm(ahead, axis=2) * np.linalg.norm(back, axis=2)
+    is_given = on_rim & np.roll(on_rim, 1, axis=1)
+    return np.asarray(~(is_flat & is_given).any(axis=1) & (quads >= held).any(axis=1))

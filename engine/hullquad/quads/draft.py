@@ -1,0 +1,192 @@
+"""A mesh that is still being changed: the one mutable structure of the mesher, private to this package.
+
+Elements are rows that come and go; every node knows the elements around it. All of it is plain arrays, for
+compiled code; what is done with them is in the modules beside this one.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from hullquad.arrays import Bools, Floats, Ints, Longs, ints
+from hullquad.metrics.compiled import compiled
+
+NODES, ELEMENTS, STAMP = range(3)
+"""Rows of `Draft.tallies`."""
+
+_SPARE = 8
+"""Elements that may be added around a node beyond the most that any node has in the beginning."""
+_GROWTH = 0.25
+
+
+class Draft(NamedTuple):
+    """Nodes in the plate's plane, elements, and who is around whom."""
+
+    nodes: Floats
+    """(C, 2) [mm]; rows beyond those in use are spare."""
+    held: Bools
+    """(C,) nodes that stay where they are."""
+    on_rim: Bools
+    """(C,) nodes of the contour."""
+    ideal: Longs
+    """(C,) number of elements that would fit best around a node."""
+    elements: Longs
+    """(M, 4) nodes in order, a triangle ends with -1; a row that is not in use begins with -1."""
+    around: Longs
+    """(C, K) elements around a node, in no order."""
+    counts: Longs
+    """(C,) their number."""
+    tallies: Longs
+    """Rows of nodes and of elements in use, and the stamp that was given last."""
+    node_stamps: Longs
+    """(C,) the stamp that a node has been given last: marks without a set."""
+    element_stamps: Longs
+    """(M,)"""
+
+    @property
+    def element_rows(self) -> Longs:
+        """(E, 4) elements in use."""
+        rows = self.elements[: self.tallies[ELEMENTS]]
+        return rows[rows[:, 0] >= 0]
+
+    @property
+    def triangles(self) -> Longs:
+        """Rows of the triangles."""
+        rows = self.elements[: self.tallies[ELEMENTS]]
+        return np.flatnonzero((rows[:, 0] >= 0) & (rows[:, 3] < 0))
+
+    def copied(self) -> "Draft":
+        """A draft of its own with the same content."""
+        return Draft._make(array.copy() for array in self)
+
+    def restore(self, other: "Draft") -> None:
+        """Take over the content of a copy."""
+        for own, saved in zip(self, other, strict=True):
+            own[...] = saved
+
+
+def draft(nodes: Floats, elements: Ints, held: int, rim_ideal: Longs) -> Draft:
+    """Draft of a mesh.
+
+    Parameters
+    ----------
+    nodes : (N, 2) float array
+        [mm]
+    elements : (E, 4) int array
+        Counter-clockwise; a triangle ends with -1.
+    held : int
+        So many nodes, the first ones, stay where they are.
+    rim_ideal : (R,) int array
+        Number of elements that fit best around each contour node; they are the first nodes.
+    """
+    count, rows = len(nodes), len(elements)
+    node_room, element_room = _with_spare(count), _with_spare(rows)
+    most = int(np.bincount(elements[elements >= 0], minlength=1).max())
+    made = Draft(
+        nodes=np.zeros((node_room, 2)),
+        held=np.arange(node_room) < held,
+        on_rim=np.arange(node_room) < len(rim_ideal),
+        ideal=np.full(node_room, 4),
+        elements=np.full((element_room, 4), -1, dtype=np.int64),
+        around=np.full((node_room, most + _SPARE), -1, dtype=np.int64),
+        counts=np.zeros(node_room, dtype=np.int64),
+        tallies=np.array([count, rows, 0]),
+        node_stamps=np.zeros(node_room, dtype=np.int64),
+        element_stamps=np.zeros(element_room, dtype=np.int64),
+    )
+    made.nodes[:count], made.elements[:rows] = nodes, elements
+    made.ideal[: len(rim_ideal)] = rim_ideal
+    for_each_element(made)
+    return made
+
+
+def _with_spare(count: int) -> int:
+    return int(count * (1 + _GROWTH)) + 64
+
+
+def finished(made: Draft, given: int) -> tuple[Floats, Ints]:
+    """Nodes and elements in use: quads in their order, then the triangles; the first `given` nodes all stay."""
+    rows = made.element_rows
+    rows = np.concatenate([rows[rows[:, 3] >= 0], rows[rows[:, 3] < 0]])
+    used = made.counts > 0
+    used[:given] = True
+    numbers = np.append(np.cumsum(used) - 1, -1)
+    return made.nodes[used], ints(numbers[rows])
+
+
+@compiled
+def for_each_element(made: Draft) -> None:
+    """Tell every node the elements around it."""
+    for element in range(made.tallies[ELEMENTS]):
+        attach(made, element)
+
+
+@compiled
+def corner_count(elements: Longs, element: int) -> int:
+    """3 or 4."""
+    return 3 if elements[element, 3] < 0 else 4
+
+
+@compiled
+def attach(made: Draft, element: int) -> None:
+    """Tell the nodes of an element of it."""
+    for corner in range(corner_count(made.elements, element)):
+        node = made.elements[element, corner]
+        made.around[node, made.counts[node]] = element
+        made.counts[node] += 1
+
+
+@compiled
+def detach(made: Draft, element: int) -> None:
+    """Take an element from its nodes."""
+    for corner in range(corner_count(made.elements, element)):
+        node = made.elements[element, corner]
+        last = made.counts[node] - 1
+        for place in range(last):
+            if made.around[node, place] == element:
+                made.around[node, place] = made.around[node, last]
+                break
+        made.counts[node] = last
+
+
+@compiled
+def corner_of(elements: Longs, element: int, node: int) -> int:
+    """At which place an element has a node, -1 where it has not."""
+    for corner in range(corner_count(elements, element)):
+        if elements[element, corner] == node:
+            return corner
+    return -1
+
+
+@compiled
+def node_after(elements: Longs, element: int, node: int, steps: int) -> int:
+    """The node so many places after one, counter-clockwise around an element."""
+    corners = corner_count(elements, element)
+    return int(elements[element, (corner_of(elements, element, node) + steps) % corners])
+
+
+@compiled
+def element_across(made: Draft, element: int, start: int, end: int) -> int:
+    """The element on the other side of an edge that `element` runs from `start` to `end`, -1 on the contour."""
+    for place in range(made.counts[end]):
+        other = made.around[end, place]
+        if other != element and node_after(made.elements, other, end, 1) == start:
+            return int(other)
+    return -1
+
+
+@compiled
+def element_with_side(made: Draft, start: int, end: int) -> int:
+    """The element that runs an edge from `start` to `end`, -1 where there is none."""
+    for place in range(made.counts[start]):
+        element = made.around[start, place]
+        if node_after(made.elements, element, start, 1) == end:
+            return int(element)
+    return -1
+
+
+@compiled
+def new_stamp(made: Draft) -> int:
+    """A stamp that nothing has yet."""
+    made.tallies[STAMP] += 1
+    return int(made.tallies[STAMP])

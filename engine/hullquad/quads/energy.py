@@ -1,0 +1,78 @@
+r"""How bad an element is, and where a node should be: one convex energy for smoothing and for every decision.
+
+A corner at x between the edges u (to the next node) and w (to the previous one) has
+
+    eta = (|u|^2 + |w|^2) / (2 J),   J = u x w,
+
+the reciprocal of the shape metric at that corner: 1 for a right angle between edges of equal length, infinite for
+a flat corner. The energy of a quad is the mean of eta^2 over its corners, minus 1; of a triangle that of its only
+eta = (sum of squared edges) / (2 sqrt(3) J). J is linear and the numerator quadratic in the place of one node, so
+that the energy of the elements around a node is convex in that place as long as all of them are valid.
+"""
+
+from math import sqrt
+
+from hullquad.arrays import Floats, Longs
+from hullquad.metrics.compiled import compiled
+
+INVALID = 1e4
+"""Energy of an element without area; more where it is inverted."""
+
+TRIANGLE = 1.0
+"""Added for a triangle."""
+
+FLAT = 1e-4
+"""A corner whose J over its squared edges is below this is not open."""
+
+QUAD_SCALE = 2.0
+TRIANGLE_SCALE = 2.0 * sqrt(3.0)
+
+
+@compiled
+def corner_eta(
+    before_x: float, before_y: float, x: float, y: float, after_x: float, after_y: float
+) -> tuple[float, float]:
+    """Sum of the squares of the two edges, and J, of a corner."""
+    ux, uy, wx, wy = after_x - x, after_y - y, before_x - x, before_y - y
+    return ux * ux + uy * uy + wx * wx + wy * wy, ux * wy - uy * wx
+
+
+@compiled
+def element_energy(nodes: Floats, elements: Longs, element: int) -> float:
+    """Energy of an element; at least `INVALID` where it is not valid."""
+    if elements[element, 3] < 0:
+        return _triangle_energy(nodes, elements[element, 0], elements[element, 1], elements[element, 2])
+    return quad_energy(nodes, elements[element, 0], elements[element, 1], elements[element, 2], elements[element, 3])
+
+
+@compiled
+def _triangle_energy(nodes: Floats, a: int, b: int, c: int) -> float:
+    """Energy of the triangle a, b, c."""
+    squares, jacobian = corner_eta(nodes[c, 0], nodes[c, 1], nodes[a, 0], nodes[a, 1], nodes[b, 0], nodes[b, 1])
+    squares += float((nodes[c, 0] - nodes[b, 0]) ** 2 + (nodes[c, 1] - nodes[b, 1]) ** 2)
+    if jacobian <= FLAT * squares:
+        return INVALID * (2.0 - jacobian / squares) if squares > 0.0 else 2.0 * INVALID
+    eta = squares / (TRIANGLE_SCALE * jacobian)
+    return eta * eta - 1.0 + TRIANGLE
+
+
+@compiled
+def quad_energy(nodes: Floats, a: int, b: int, c: int, d: int) -> float:
+    """Energy of the quad a, b, c, d."""
+    total, least = 0.0, 1.0
+    before, here, after = d, a, b
+    for corner in range(4):
+        squares, jacobian = corner_eta(
+            nodes[before, 0], nodes[before, 1], nodes[here, 0], nodes[here, 1], nodes[after, 0], nodes[after, 1]
+        )
+        if squares <= 0.0:
+            return 2.0 * INVALID
+        if jacobian > FLAT * squares:
+            eta = squares / (QUAD_SCALE * jacobian)
+            total += eta * eta
+        least = min(least, jacobian / squares)
+        before, here = here, after
+        after = c if corner == 0 else (d if corner == 1 else a)
+    if least <= FLAT:
+        return INVALID * (2.0 - least)
+    return 0.25 * total - 1.0

@@ -1,0 +1,150 @@
+"""The pairing of triangles with the most pairs, and among those with the greatest weight.
+
+Of up to `EXACT` triangles that is found exactly, by Edmonds' blossom method. Of more it is found nearly: the joins of
+the advancing front, augmented to the greatest number of pairs, whose partners are then changed along alternating
+circles (and paths from a triangle that is left) of up to `DEPTH` pairs, wherever that gains.
+"""
+
+import numpy as np
+
+from hullquad.arrays import Bools, Floats, Longs, longs
+from hullquad.metrics.compiled import compiled
+from hullquad.quads.augment import augment
+from hullquad.quads.front import front
+from hullquad.quads.pairs import Pairs
+
+EXACT = 1000
+"""Triangles up to which the exact method takes no longer than some hundredths of a second."""
+DEPTH = 6
+"""Pairs that a circle may have."""
+_LEAST = 1e-9
+_DIGITS = 1_000_000
+"""Weights are rounded to whole numbers for the exact method: rounding must not send it in circles."""
+
+
+def matching(pairs: Pairs, weights: Floats, single_weights: Floats) -> set[int]:
+    """Rows of the pairs that are to be joined.
+
+    Parameters
+    ----------
+    pairs : Pairs
+    weights : (P,) float array
+        How good each pair is, from 0 to 1.
+    single_weights : (T,) float array
+        How good a triangle is that is left without a partner, from 0 to 1.
+    """
+    if len(pairs.triangles) <= EXACT:
+        return _exact(pairs, weights, single_weights)
+    joined = {row for join in front(pairs) for row in join.joined}
+    for change in augment(pairs, joined):
+        joined = (joined - set(change.parted)) | set(change.joined)
+    return improved(pairs, joined, weights, single_weights)
+
+
+def _exact(pairs: Pairs, weights: Floats, single_weights: Floats) -> set[int]:
+    """The best pairing; a pair weighs what it adds to the weight of its triangles left alone."""
+    import rustworkx  # noqa: PLC0415  only this needs it
+
+    members = pairs.members
+    gains = np.rint(_DIGITS * (2 + weights - single_weights[members].sum(axis=1))).astype(np.int64)
+    graph = rustworkx.PyGraph()
+    graph.add_nodes_from(range(len(pairs.triangles)))
+    graph.add_edges_from([(*ends, gain) for ends, gain in zip(members.tolist(), gains.tolist(), strict=True)])
+    found = rustworkx.max_weight_matching(graph, max_cardinality=True, weight_fn=int)
+    rows = {(min(ends), max(ends)): row for row, ends in enumerate(map(tuple, members.tolist()))}
+    return {rows[min(ends), max(ends)] for ends in found}
+
+
+def improved(pairs: Pairs, joined: set[int], weights: Floats, single_weights: Floats) -> set[int]:
+    """Rows of a pairing of as many pairs and a weight that is not less."""
+    mates = np.full(len(pairs.triangles), -1)
+    for one, other in pairs.members[sorted(joined)].tolist():
+        mates[one], mates[other] = other, one
+    across = longs(pairs.pair_across)
+    _improve(longs(pairs.neighbours), across, weights, single_weights, mates, np.zeros(len(mates), dtype=np.bool_))
+    triangle, side = np.nonzero((pairs.neighbours == mates[:, None]) & (pairs.pair_across >= 0))
+    return set(across[triangle, side].tolist())
+
+
+@compiled
+def _pair_weight(one: int, other: int, neighbours: Longs, across: Longs, weights: Floats) -> float:
+    for side in range(3):
+        if neighbours[one, side] == other and across[one, side] >= 0:
+            return float(weights[across[one, side]])
+    return -1.0
+
+
+@compiled
+def _better_way(
+    start: int,
+    neighbours: Longs,
+    across: Longs,
+    weights: Floats,
+    single_weights: Floats,
+    mates: Longs,
+    visited: Bools,
+    path: Longs,
+    best_path: Longs,
+) -> int:
+    """Triangles of the alternating circle or path from `start` that gains most, into `best_path`; 0 if none gains.
+
+    Depth first: from a triangle over an unpaired edge to the next, and to the mate of that one. A way from a paired
+    triangle must come back to its mate; a way from a single one may end anywhere, leaving another one single.
+    """
+    gains, sides = np.zeros(DEPTH + 1), np.zeros(DEPTH + 1, dtype=np.int64)
+    mate, length, best, depth = mates[start], 0, _LEAST, 0
+    single = mate < 0
+    gains[0] = -single_weights[start] if single else -_pair_weight(start, mate, neighbours, across, weights)
+    path[0] = start
+    visited[start] = True
+    while depth >= 0:
+        here = path[2 * depth]
+        if sides[depth] == 3 or depth == DEPTH:
+            visited[here] = False
+            if depth > 0:
+                visited[path[2 * depth - 1]] = False
+            depth -= 1
+            continue
+        side = sides[depth]
+        sides[depth] += 1
+        near = neighbours[here, side]
+        if across[here, side] < 0 or near == mates[here] or visited[near]:
+            continue
+        gain = gains[depth] + weights[across[here, side]]
+        if near == mate:
+            if gain > best:
+                best, length = gain, 2 * depth + 2
+                path[2 * depth + 1] = near
+                best_path[:length] = path[:length]
+            continue
+        far = mates[near]
+        if far < 0 or visited[far]:
+            continue
+        gain -= _pair_weight(near, far, neighbours, across, weights)
+        path[2 * depth + 1], path[2 * depth + 2] = near, far
+        if single and gain + single_weights[far] > best:
+            best, length = gain + single_weights[far], 2 * depth + 3
+            best_path[:length] = path[:length]
+        depth += 1
+        visited[near] = visited[far] = True
+        gains[depth], sides[depth] = gain, 0
+    return length
+
+
+@compiled
+def _improve(
+    neighbours: Longs, across: Longs, weights: Floats, single_weights: Floats, mates: Longs, visited: Bools
+) -> None:
+    """Change partners along circles and paths as long as any gains."""
+    path, best_path = np.zeros(2 * DEPTH + 3, dtype=np.int64), np.zeros(2 * DEPTH + 3, dtype=np.int64)
+    again = True
+    while again:
+        again = False
+        for start in range(len(mates)):
+            length = _better_way(start, neighbours, across, weights, single_weights, mates, visited, path, best_path)
+            for place in range(0, length - 1, 2):
+                one, other = best_path[place], best_path[place + 1]
+                mates[one], mates[other] = other, one
+            if length % 2 == 1:
+                mates[best_path[length - 1]] = -1
+            again = again or length > 0

@@ -1,0 +1,121 @@
+"""Several ways to place the points of a plate, of which the best finished mesh is kept.
+
+Small plates are worth many tries, large ones have one: the number depends on the number of elements only, never on
+the clock, so that the same plate always gives the same mesh. It ends early when a mesh costs next to nothing.
+"""
+
+from collections.abc import Iterator
+
+import attrs
+import numpy as np
+
+from hullquad.quads.making import Task, draughts
+from hullquad.quads.settings import MeshSettings
+from hullquad.quads.stages import Draught
+from hullquad.triangulation.contour import MOST_ELEMENTS, Contour
+from hullquad.triangulation.delaunay import Triangulation, triangulate
+from hullquad.triangulation.field import Field, corners, field, fitting_elements
+from hullquad.triangulation.points import aligned_points
+
+MOST_TRIANGLES = 4 * MOST_ELEMENTS
+"""Two for each element, and as many again, so that a size that was allowed is never refused afterwards."""
+
+_EFFORT = 2400
+"""Elements that all candidates together may have, about; the first one may have any number."""
+_NOTHING_LEFT = 0.02
+"""Cost above the least possible below which no other candidate is tried."""
+_OWN_AREA = 0.8
+_OWN_ANGLE = 30.0
+
+
+@attrs.frozen
+class Candidate:
+    """A way to place the points."""
+
+    spacing: float
+    """Distance that points keep, over the local size; 0 for the points that Triangle places itself."""
+    grading: float = 1.0
+    """Factor of the grading that is asked for."""
+
+
+CANDIDATES = (
+    Candidate(0.75),
+    Candidate(0.68),
+    Candidate(0.82),
+    Candidate(0.75, 0.6),
+    Candidate(0.62, 0.6),
+    Candidate(0.0),
+    Candidate(0.88),
+    Candidate(0.70, 0.8),
+)
+
+
+@attrs.frozen(eq=False, kw_only=True)
+class Trial:
+    """A state of one of the candidates."""
+
+    number: int
+    """Of the candidate, from 0."""
+    count: int
+    """Candidates that are tried at most."""
+    draught: Draught
+    is_best: bool = False
+    """Whether it is a finished mesh, and the best so far."""
+
+
+def trials(contour: Contour, settings: MeshSettings) -> Iterator[Trial]:
+    """States of all candidates, one after the other; the mesh to take is the last one that is the best so far.
+
+    Raises
+    ------
+    MeshingError, WorkerError
+        The plate could not be triangulated.
+    """
+    task = _task(contour, settings)
+    guide = field(contour, settings.grading)
+    count, lowest = 1, np.inf
+    for number, candidate in enumerate(CANDIDATES):
+        if number == count:
+            return
+        made = _triangulated(contour, candidate, guide)
+        for draught in draughts(made.nodes, made.triangles, task):
+            yield Trial(number=number, count=count, draught=draught)
+        if number == 0:
+            count = max(1, min(len(CANDIDATES), _EFFORT // len(draught.elements)))
+        is_best = draught.cost < lowest
+        if is_best:
+            lowest = draught.cost
+            yield Trial(number=number, count=count, draught=draught, is_best=True)
+        if lowest < task.least_cost + _NOTHING_LEFT:
+            return
+
+
+def _task(contour: Contour, settings: MeshSettings) -> Task:
+    angles, _ = corners(contour)
+    return Task(
+        given=len(contour.nodes),
+        rim_ideal=fitting_elements(angles),
+        size=contour.size,
+        squares=contour.area / contour.size**2,
+        unavoidable=contour.triangles_unavoidable,
+        prefer=settings.prefer,
+    )
+
+
+def _triangulated(contour: Contour, candidate: Candidate, guide: Field) -> Triangulation:
+    """Triangles of the contour and of a candidate's points."""
+    place = contour.plate.place
+    if candidate.spacing == 0:
+        area = _OWN_AREA * contour.size**2
+        return triangulate(
+            contour.nodes,
+            contour.loop_starts,
+            area=area,
+            min_angle=_OWN_ANGLE,
+            place=place,
+            element_limit=MOST_TRIANGLES,
+        )
+    eased = attrs.evolve(guide, grading=candidate.grading * guide.grading)
+    points = aligned_points(contour.nodes, contour.segments, eased, contour.size, candidate.spacing)
+    nodes = np.concatenate([contour.nodes, points])
+    return triangulate(nodes, contour.loop_starts, area=None, place=place, element_limit=MOST_TRIANGLES)

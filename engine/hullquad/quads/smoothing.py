@@ -1,0 +1,212 @@
+"""Nodes moved to where the energy of the elements around them is least, one after another.
+
+While all elements around a node are valid its energy is convex, and a guarded Newton step cannot fail; a node
+with an invalid element goes where the worst corner around it becomes best.
+"""
+
+from math import cos, inf, pi, sin, sqrt
+
+from hullquad.arrays import Longs
+from hullquad.metrics.compiled import compiled
+from hullquad.quads.draft import NODES, Draft, corner_count, corner_of
+from hullquad.quads.energy import FLAT, QUAD_SCALE, TRIANGLE_SCALE, corner_eta
+
+_HALVINGS = 5
+_DIRECTIONS = 8
+_TRIES = 12
+
+Terms = tuple[float, float, float, float, float, float]
+"""Energy, its gradient (2) and its second derivatives (xx, xy, yy)."""
+
+_NOWHERE = (inf, 0.0, 0.0, 0.0, 0.0, 0.0)
+
+
+@compiled
+def _term(
+    squares: float, sx: float, sy: float, curvature: float, jacobian: float, jx: float, jy: float, scale: float
+) -> Terms:
+    """Eta squared with its derivatives: `squares` has the gradient (sx, sy) and is curved alike in all directions."""
+    factor = 1.0 / (scale * jacobian)
+    eta = squares * factor
+    ex, ey = (sx - scale * eta * jx) * factor, (sy - scale * eta * jy) * factor
+    bend, twice = curvature * factor, 2.0 * scale * factor
+    xx = bend - twice * ex * jx
+    yy = bend - twice * ey * jy
+    xy = -0.5 * twice * (ex * jy + ey * jx)
+    return (
+        eta * eta,
+        2.0 * eta * ex,
+        2.0 * eta * ey,
+        2.0 * (eta * xx + ex * ex),
+        2.0 * (eta * xy + ex * ey),
+        2.0 * (eta * yy + ey * ey),
+    )
+
+
+@compiled
+def _star_energy(made: Draft, node: int, x: float, y: float) -> float:
+    """Energy of the elements around a node if it were at (x, y); infinite where one of them is not valid."""
+    total, nodes, elements = 0.0, made.nodes, made.elements
+    for place in range(made.counts[node]):
+        element = made.around[node, place]
+        corners = corner_count(elements, element)
+        corner = corner_of(elements, element, node)
+        b, c = elements[element, (corner + 1) % corners], elements[element, (corner + 2) % corners]
+        d = elements[element, (corner + corners - 1) % corners]
+        bx, by, cx, cy, dx, dy = nodes[b, 0], nodes[b, 1], nodes[c, 0], nodes[c, 1], nodes[d, 0], nodes[d, 1]
+        squares, jacobian = corner_eta(dx, dy, x, y, bx, by)
+        if corners == 3:
+            squares += (cx - bx) ** 2 + (cy - by) ** 2
+            if jacobian <= FLAT * squares:
+                return inf
+            total += (squares / (TRIANGLE_SCALE * jacobian)) ** 2
+            continue
+        after, jacobian_after = corner_eta(x, y, bx, by, cx, cy)
+        before, jacobian_before = corner_eta(cx, cy, dx, dy, x, y)
+        if jacobian <= FLAT * squares or jacobian_after <= FLAT * after or jacobian_before <= FLAT * before:
+            return inf
+        own, next_one, last = squares / jacobian, after / jacobian_after, before / jacobian_before
+        total += 0.25 * (own * own + next_one * next_one + last * last) / (QUAD_SCALE * QUAD_SCALE)
+    return total
+
+
+@compiled
+def _derivatives(made: Draft, node: int) -> Terms:
+    """Energy of the elements around a node where it is, with its derivatives; infinite where one is not valid."""
+    f, gx, gy, xx, xy, yy = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
+    nodes, elements = made.nodes, made.elements
+    x, y = nodes[node, 0], nodes[node, 1]
+    for place in range(made.counts[node]):
+        element = made.around[node, place]
+        corners = corner_count(elements, element)
+        corner = corner_of(elements, element, node)
+        b, c = elements[element, (corner + 1) % corners], elements[element, (corner + 2) % corners]
+        d = elements[element, (corner + corners - 1) % corners]
+        bx, by, cx, cy, dx, dy = nodes[b, 0], nodes[b, 1], nodes[c, 0], nodes[c, 1], nodes[d, 0], nodes[d, 1]
+        squares, jacobian = corner_eta(dx, dy, x, y, bx, by)
+        sx, sy = -2.0 * (bx - x + dx - x), -2.0 * (by - y + dy - y)
+        scale, weight = QUAD_SCALE, 0.25
+        if corners == 3:
+            squares += (cx - bx) ** 2 + (cy - by) ** 2
+            scale, weight = TRIANGLE_SCALE, 1.0
+        if jacobian <= FLAT * squares:
+            return _NOWHERE
+        t = _term(squares, sx, sy, 4.0, jacobian, by - dy, dx - bx, scale)
+        f, gx, gy = f + weight * t[0], gx + weight * t[1], gy + weight * t[2]
+        xx, xy, yy = xx + weight * t[3], xy + weight * t[4], yy + weight * t[5]
+        if corners == 3:
+            continue
+        squares, jacobian = corner_eta(x, y, bx, by, cx, cy)
+        if jacobian <= FLAT * squares:
+            return _NOWHERE
+        t = _term(squares, 2.0 * (x - bx), 2.0 * (y - by), 2.0, jacobian, by - cy, cx - bx, scale)
+        f, gx, gy = f + weight * t[0], gx + weight * t[1], gy + weight * t[2]
+        xx, xy, yy = xx + weight * t[3], xy + weight * t[4], yy + weight * t[5]
+        squares, jacobian = corner_eta(cx, cy, dx, dy, x, y)
+        if jacobian <= FLAT * squares:
+            return _NOWHERE
+        t = _term(squares, 2.0 * (x - dx), 2.0 * (y - dy), 2.0, jacobian, cy - dy, dx - cx, scale)
+        f, gx, gy = f + weight * t[0], gx + weight * t[1], gy + weight * t[2]
+        xx, xy, yy = xx + weight * t[3], xy + weight * t[4], yy + weight * t[5]
+    return f, gx, gy, xx, xy, yy
+
+
+@compiled
+def _worst_corner(made: Draft, node: int, x: float, y: float) -> float:
+    """Least J over squared edges of the corners that move with a node, if it were at (x, y)."""
+    least, nodes, elements = 1.0, made.nodes, made.elements
+    for place in range(made.counts[node]):
+        element = made.around[node, place]
+        corners = corner_count(elements, element)
+        corner = corner_of(elements, element, node)
+        b, c = elements[element, (corner + 1) % corners], elements[element, (corner + 2) % corners]
+        d = elements[element, (corner + corners - 1) % corners]
+        bx, by, cx, cy, dx, dy = nodes[b, 0], nodes[b, 1], nodes[c, 0], nodes[c, 1], nodes[d, 0], nodes[d, 1]
+        squares, jacobian = corner_eta(dx, dy, x, y, bx, by)
+        least = min(least, jacobian / max(squares, 1e-300))
+        if corners == 4:
+            squares, jacobian = corner_eta(x, y, bx, by, cx, cy)
+            least = min(least, jacobian / max(squares, 1e-300))
+            squares, jacobian = corner_eta(cx, cy, dx, dy, x, y)
+            least = min(least, jacobian / max(squares, 1e-300))
+    return least
+
+
+@compiled
+def _untangle(made: Draft, node: int) -> float:
+    """Move a node to where the worst corner around it is best, by a search in eight directions; how far it went."""
+    nodes, elements = made.nodes, made.elements
+    start_x, start_y, mean_x, mean_y, reach = nodes[node, 0], nodes[node, 1], 0.0, 0.0, 0.0
+    count = made.counts[node]
+    for place in range(count):
+        element = made.around[node, place]
+        after = elements[element, (corner_of(elements, element, node) + 1) % corner_count(elements, element)]
+        mean_x, mean_y = mean_x + nodes[after, 0] / count, mean_y + nodes[after, 1] / count
+        reach += sqrt((nodes[after, 0] - start_x) ** 2 + (nodes[after, 1] - start_y) ** 2) / count
+    x, y, best = start_x, start_y, _worst_corner(made, node, start_x, start_y)
+    value = _worst_corner(made, node, mean_x, mean_y)
+    if value > best:
+        x, y, best = mean_x, mean_y, value
+    step = 0.5 * reach
+    for _ in range(_TRIES):
+        from_x, from_y = x, y
+        for direction in range(_DIRECTIONS):
+            angle = 2.0 * pi * direction / _DIRECTIONS
+            to_x, to_y = from_x + step * cos(angle), from_y + step * sin(angle)
+            value = _worst_corner(made, node, to_x, to_y)
+            if value > best:
+                x, y, best = to_x, to_y, value
+        if x == from_x and y == from_y:
+            step *= 0.5
+    nodes[node, 0], nodes[node, 1] = x, y
+    return sqrt((x - start_x) ** 2 + (y - start_y) ** 2)
+
+
+@compiled
+def relax_node(made: Draft, node: int) -> float:
+    """Move a free node to where the energy around it is less; how far it went [mm]."""
+    x, y = made.nodes[node, 0], made.nodes[node, 1]
+    energy, gx, gy, xx, xy, yy = _derivatives(made, node)
+    if energy == inf:
+        moved = _untangle(made, node)
+        x, y = made.nodes[node, 0], made.nodes[node, 1]
+        energy, gx, gy, xx, xy, yy = _derivatives(made, node)
+        if energy == inf:
+            return moved
+    determinant = xx * yy - xy * xy
+    if determinant <= 0.0:
+        return 0.0
+    step_x, step_y = -(yy * gx - xy * gy) / determinant, -(xx * gy - xy * gx) / determinant
+    for _ in range(_HALVINGS):
+        if _star_energy(made, node, x + step_x, y + step_y) < energy:
+            made.nodes[node, 0], made.nodes[node, 1] = x + step_x, y + step_y
+            return sqrt(step_x * step_x + step_y * step_y)
+        step_x, step_y = 0.5 * step_x, 0.5 * step_y
+    return 0.0
+
+
+@compiled
+def relax(made: Draft, chosen: Longs, count: int, sweeps: int, tolerance: float) -> None:
+    """Move the first `count` of the chosen nodes, again and again, until none goes farther than the tolerance [mm]."""
+    for sweep in range(sweeps):
+        farthest = 0.0
+        for i in range(count):
+            node = chosen[i if sweep % 2 == 0 else count - 1 - i]
+            if not made.held[node] and made.counts[node] > 0:
+                farthest = max(farthest, relax_node(made, node))
+        if farthest < tolerance:
+            break
+
+
+@compiled
+def relax_all(made: Draft, sweeps: int, tolerance: float) -> None:
+    """Move all free nodes, there and back, until none goes farther than the tolerance [mm]."""
+    count = made.tallies[NODES]
+    for sweep in range(sweeps):
+        farthest = 0.0
+        for i in range(count):
+            node = i if sweep % 2 == 0 else count - 1 - i
+            if not made.held[node] and made.counts[node] > 0:
+                farthest = max(farthest, relax_node(made, node))
+        if farthest < tolerance:
+            break

@@ -1,0 +1,248 @@
+"""A change of a few elements, judged by what it does after the nodes around have been smoothed, or taken back.
+
+Every repair is such a change: elements that go, elements that come, nodes that are put somewhere. The gain is the
+energy that the elements around lose; nothing that would make an element invalid is ever kept.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from hullquad.arrays import Floats, Longs
+from hullquad.metrics.compiled import compiled
+from hullquad.quads.draft import ELEMENTS, NODES, Draft, attach, corner_count, detach, new_stamp
+from hullquad.quads.energy import INVALID, element_energy
+from hullquad.quads.smoothing import relax
+
+REMOVED, ADDED, PLACED = range(3)
+"""Rows of `Change.tallies`."""
+
+_MOST = 64
+"""Elements of a change."""
+
+ELEMENT = 0.06
+"""What an element costs beside its energy: of two equally good meshes the one with fewer elements is better."""
+
+RINGS = 2
+SWEEPS = 4
+
+NEVER = -1e9
+"""Gain of a change that cannot be."""
+
+
+class Change(NamedTuple):
+    """Elements that go and come, and nodes that are put somewhere; the numbers of each are in `tallies`."""
+
+    removed: Longs
+    """(64,) rows of elements."""
+    added: Longs
+    """(64, 4) nodes."""
+    placed: Longs
+    """(64,) nodes that are put somewhere; those that are not in use yet come into use."""
+    places: Floats
+    """(64, 2) [mm]"""
+    tallies: Longs
+
+
+class Ground(NamedTuple):
+    """What a trial touches, with room to remember how it was."""
+
+    region: Longs
+    """(C,) nodes that are smoothed."""
+    touched: Longs
+    """(M,) elements that a smoothed node may change."""
+    places: Floats
+    """(C, 2) where the nodes of the region were."""
+    rows: Longs
+    """(64,) rows that the added elements took."""
+    old: Longs
+    """(64, 4) elements that went."""
+    size: Longs
+    """(1,) number of nodes in the region of the last trial."""
+
+
+def change() -> Change:
+    """Room for one change."""
+    return Change(
+        np.zeros(_MOST, dtype=np.int64),
+        np.zeros((_MOST, 4), dtype=np.int64),
+        np.zeros(_MOST, dtype=np.int64),
+        np.zeros((_MOST, 2)),
+        np.zeros(3, dtype=np.int64),
+    )
+
+
+def ground(made: Draft) -> Ground:
+    """Room for trials on a draft."""
+    return Ground(
+        np.zeros(len(made.nodes), dtype=np.int64),
+        np.zeros(len(made.elements), dtype=np.int64),
+        np.zeros_like(made.nodes),
+        np.zeros(_MOST, dtype=np.int64),
+        np.zeros((_MOST, 4), dtype=np.int64),
+        np.zeros(1, dtype=np.int64),
+    )
+
+
+@compiled
+def clear(wish: Change) -> None:
+    """Make a change empty."""
+    wish.tallies[:] = 0
+
+
+@compiled
+def remove(wish: Change, element: int) -> None:
+    """An element goes."""
+    wish.removed[wish.tallies[REMOVED]] = element
+    wish.tallies[REMOVED] += 1
+
+
+@compiled
+def add(wish: Change, a: int, b: int, c: int, d: int) -> None:
+    """An element comes; a triangle has -1 as its last node."""
+    row = wish.added[wish.tallies[ADDED]]
+    row[0], row[1], row[2], row[3] = a, b, c, d
+    wish.tallies[ADDED] += 1
+
+
+@compiled
+def place(wish: Change, node: int, x: float, y: float) -> None:
+    """A node is put somewhere."""
+    number = wish.tallies[PLACED]
+    wish.placed[number] = node
+    wish.places[number, 0], wish.places[number, 1] = x, y
+    wish.tallies[PLACED] += 1
+
+
+@compiled
+def is_possible(made: Draft, wish: Change) -> bool:
+    """Whether there is room for a change, and no element of it has a node twice."""
+    added, removed = wish.tallies[ADDED], wish.tallies[REMOVED]
+    if made.tallies[ELEMENTS] + max(0, added - removed) > len(made.elements):
+        return False
+    for number in range(wish.tallies[PLACED]):
+        if wish.placed[number] >= len(made.nodes):
+            return False
+    for number in range(added):
+        a, b, c, d = wish.added[number, 0], wish.added[number, 1], wish.added[number, 2], wish.added[number, 3]
+        if a in (b, c, d) or b in (c, d) or c == d:
+            return False
+        for corner in range(4):
+            node = wish.added[number, corner]
+            if node >= 0 and made.counts[node] + 3 >= made.around.shape[1]:
+                return False
+    return True
+
+
+@compiled
+def _grow(made: Draft, region: Longs, count: int, rings: int, stamp: int) -> int:
+    """Add the nodes within so many rings of elements to a region of stamped nodes; its new number of nodes."""
+    start = 0
+    for _ in range(rings):
+        end = count
+        for i in range(start, end):
+            node = region[i]
+            for slot in range(made.counts[node]):
+                element = made.around[node, slot]
+                for corner in range(corner_count(made.elements, element)):
+                    near = made.elements[element, corner]
+                    if made.node_stamps[near] != stamp:
+                        made.node_stamps[near] = stamp
+                        region[count] = near
+                        count += 1
+        start = end
+    return count
+
+
+@compiled
+def _region(made: Draft, wish: Change, floor: Ground, rings: int) -> int:
+    """Nodes of a change and those around it; their number."""
+    stamp, count = new_stamp(made), 0
+    for number in range(wish.tallies[REMOVED]):
+        element = wish.removed[number]
+        for corner in range(corner_count(made.elements, element)):
+            node = made.elements[element, corner]
+            if made.node_stamps[node] != stamp:
+                made.node_stamps[node] = stamp
+                floor.region[count] = node
+                count += 1
+    count = _grow(made, floor.region, count, rings, stamp)
+    for number in range(wish.tallies[PLACED]):
+        node = wish.placed[number]
+        if made.node_stamps[node] != stamp:
+            made.node_stamps[node] = stamp
+            floor.region[count] = node
+            count += 1
+    return count
+
+
+@compiled
+def _energy_around(made: Draft, floor: Ground, nodes: int) -> tuple[float, bool]:
+    """Energy of all elements at the region's nodes, and whether all are valid."""
+    stamp, total, valid = new_stamp(made), 0.0, True
+    for i in range(nodes):
+        node = floor.region[i]
+        for slot in range(made.counts[node]):
+            element = made.around[node, slot]
+            if made.element_stamps[element] != stamp:
+                made.element_stamps[element] = stamp
+                energy = element_energy(made.nodes, made.elements, element)
+                valid = valid and energy < INVALID
+                total += energy + ELEMENT
+    return total, valid
+
+
+@compiled
+def _applied(made: Draft, wish: Change, floor: Ground) -> None:
+    """Carry out a change, remembering the elements that go."""
+    removed, added = wish.tallies[REMOVED], wish.tallies[ADDED]
+    for number in range(removed):
+        element = wish.removed[number]
+        floor.old[number] = made.elements[element]
+        detach(made, element)
+        made.elements[element, 0] = -1
+    for number in range(added):
+        row = wish.removed[number] if number < removed else made.tallies[ELEMENTS]
+        if number >= removed:
+            made.tallies[ELEMENTS] += 1
+        floor.rows[number] = row
+        made.elements[row] = wish.added[number]
+        attach(made, row)
+    for number in range(wish.tallies[PLACED]):
+        node = wish.placed[number]
+        made.tallies[NODES] = max(made.tallies[NODES], node + 1)
+        made.nodes[node] = wish.places[number]
+
+
+@compiled
+def _taken_back(made: Draft, wish: Change, floor: Ground, nodes: int, node_rows: int, element_rows: int) -> None:
+    """Undo a change and the smoothing after it."""
+    for number in range(wish.tallies[ADDED]):
+        detach(made, floor.rows[number])
+        made.elements[floor.rows[number], 0] = -1
+    for number in range(wish.tallies[REMOVED]):
+        made.elements[wish.removed[number]] = floor.old[number]
+        attach(made, wish.removed[number])
+    for i in range(nodes):
+        made.nodes[floor.region[i]] = floor.places[i]
+    made.tallies[NODES], made.tallies[ELEMENTS] = node_rows, element_rows
+
+
+@compiled
+def attempt(made: Draft, wish: Change, floor: Ground, rings: int, sweeps: int, least: float) -> float:
+    """Gain of a change after smoothing; it is kept if that is above the least, with `inf` never."""
+    if not is_possible(made, wish):
+        return NEVER
+    node_rows, element_rows = made.tallies[NODES], made.tallies[ELEMENTS]
+    count = _region(made, wish, floor, rings)
+    floor.size[0] = count
+    for i in range(count):
+        floor.places[i] = made.nodes[floor.region[i]]
+    before, _ = _energy_around(made, floor, count)
+    _applied(made, wish, floor)
+    relax(made, floor.region, count, sweeps, 0.0)
+    after, valid = _energy_around(made, floor, count)
+    gain = before - after if valid else NEVER
+    if gain <= least:
+        _taken_back(made, wish, floor, count, node_rows, element_rows)
+    return gain

@@ -1,0 +1,131 @@
+r"""Two triangles that are far apart brought together: one walks to the other, a step at a time.
+
+A triangle and the quad beside it are a pentagon. Divided anew it has its triangle elsewhere::
+
+       .-------.            .-------.
+      /|       |           /        |\
+     / |       |    ->    /    ----' | \        so the triangle steps over the quad; the last step
+     \ |       |          \ --'      | /        joins it with the other triangle.
+      \|       |           '---------'
+       '-------'
+
+Every step is followed by smoothing and chosen by what it costs then; the way as a whole is judged by the caller.
+"""
+
+from math import inf
+
+import numpy as np
+
+from hullquad.arrays import Longs
+from hullquad.metrics.compiled import compiled
+from hullquad.quads.changes import centre_pentagon, divide
+from hullquad.quads.draft import Draft, corner_count, element_across, element_with_side
+from hullquad.quads.trial import ADDED, NEVER, Change, Ground, attempt
+
+_STEP_COST = 2.0
+"""Energy that one element more on the way outweighs."""
+_DETOURS = 4
+"""Steps that need not bring the triangle nearer."""
+_FAR = 1_000_000_000
+
+
+@compiled
+def distances_to(made: Draft, target: int, distances: Longs, queue: Longs, enough: int) -> int:
+    """Steps from every element over edges to a target, through quads only, into `distances`; the nearest triangle.
+
+    Without another triangle -1. The search ends at `enough` elements seen beyond the first triangle it meets.
+    """
+    distances[:] = _FAR
+    distances[target], queue[0] = 0, target
+    head, tail, nearest = 0, 1, -1
+    while head < tail and enough > 0:
+        element = queue[head]
+        head += 1
+        if nearest >= 0:
+            enough -= 1
+        corners = corner_count(made.elements, element)
+        if corners == 3 and element != target:
+            continue
+        for corner in range(corners):
+            start, end = made.elements[element, corner], made.elements[element, (corner + 1) % corners]
+            other = element_across(made, element, start, end)
+            if other >= 0 and distances[other] == _FAR:
+                distances[other] = distances[element] + 1
+                queue[tail] = other
+                tail += 1
+                if nearest < 0 and corner_count(made.elements, other) == 3:
+                    nearest = other
+    return nearest
+
+
+@compiled
+def _distance_of_new(made: Draft, wish: Change, distances: Longs) -> int:
+    """Distance that the new triangle of a division would have: over its own sides, or over a new quad beside it."""
+    least = _FAR
+    for number in range(wish.tallies[ADDED]):
+        corners = 3 if wish.added[number, 3] < 0 else 4
+        for corner in range(corners):
+            start, end = wish.added[number, corner], wish.added[number, (corner + 1) % corners]
+            other = element_with_side(made, end, start)
+            if other >= 0 and other != wish.removed[0] and other != wish.removed[1]:
+                least = min(least, distances[other] + (1 if number == 0 else 2))
+    return least
+
+
+@compiled
+def _step(made: Draft, wish: Change, triangle: int, side: int, corner: int) -> bool:
+    """Write one of the nine ways over a side of a triangle into `wish`: four of them as they are, five with a node."""
+    node = made.elements[triangle, side]
+    if corner <= 4:
+        return divide(made, wish, triangle, node, corner)
+    return centre_pentagon(made, wish, triangle, node, corner - 5)
+
+
+@compiled
+def walk(made: Draft, wish: Change, floor: Ground, triangle: int, target: int, steps: int) -> bool:
+    """Let a triangle walk to another one and join it; False where it does not get there, and the draft is spoilt."""
+    distances, queue = np.empty(len(made.elements), dtype=np.int64), np.empty(len(made.elements), dtype=np.int64)
+    detours = _DETOURS
+    for _ in range(steps):
+        distances_to(made, target, distances, queue, _FAR)
+        if distances[triangle] == _FAR:
+            return False
+        slack = 1 if detours > 0 else 0
+        if distances[triangle] == 1:
+            if _join(made, wish, floor, triangle, target):
+                return True
+            if detours <= 0:
+                return False
+            triangle, target, slack = target, triangle, 3  # they do not fit here: the other one moves on
+            distances_to(made, target, distances, queue, _FAR)
+        best, best_side, best_corner, best_ahead = NEVER, -1, -1, 0
+        for side in range(3):
+            for corner in range(1, 10):
+                if not _step(made, wish, triangle, side, corner):
+                    continue
+                ahead = _distance_of_new(made, wish, distances)
+                if ahead >= distances[triangle] + slack:
+                    continue
+                gain = attempt(made, wish, floor, 1, 3, inf)
+                if gain > NEVER and gain - _STEP_COST * ahead > best:
+                    best, best_side, best_corner = gain - _STEP_COST * ahead, side, corner
+                    best_ahead = ahead
+        if best_side < 0:
+            return False
+        _step(made, wish, triangle, best_side, best_corner)
+        if attempt(made, wish, floor, 2, 4, NEVER) <= NEVER:
+            return False
+        detours -= best_ahead >= distances[triangle]
+        triangle = floor.rows[0]
+    return False
+
+
+@compiled
+def _join(made: Draft, wish: Change, floor: Ground, triangle: int, target: int) -> bool:
+    """Join two triangles with a common edge."""
+    for corner in range(3):
+        start, end = made.elements[triangle, corner], made.elements[triangle, (corner + 1) % 3]
+        if element_across(made, triangle, start, end) == target:
+            divide(made, wish, triangle, start, 0)
+            return attempt(made, wish, floor, 2, 8, NEVER) > NEVER
+    return False
