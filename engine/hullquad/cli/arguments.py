@@ -8,6 +8,7 @@ from pathlib import Path
 from hullquad import __version__
 from hullquad.cli.improving import mesh_plates, optimize_mesh
 from hullquad.cli.judging import judge_mesh
+from hullquad.cli.mesher_options import add_mesher
 from hullquad.errors import HullquadError
 from hullquad.metrics import OBJECTIVES
 from hullquad.optimization.objective import Objective, objective
@@ -81,7 +82,7 @@ def _add_mesh(command: ArgumentParser) -> None:
         help="element size in mm, or by the document's name of it (default: the plates' target size)",
     )
     command.add_argument("--plate", metavar="ID", help="only this plate, written to OUT")
-    command.add_argument("--mesher", choices=["paper"], default="paper", help="how quads are made (default: paper)")
+    add_mesher(command)
     _add_run(command)
 
 
@@ -148,9 +149,7 @@ def _add_run(command: ArgumentParser) -> None:
         help="scaled Jacobian that no element is pushed below for the sum of others; 0.6 makes all acceptable "
         "(default: 0.3)",
     )
-    command.add_argument(
-        "--iterations", type=_count, metavar="N", help="at most so many (paper: 1000 if not given)"
-    )
+    command.add_argument("--iterations", type=_count, metavar="N", help="at most so many (paper: 1000 if not given)")
     command.add_argument("--time", type=_seconds, default=inf, metavar="S", help="at most so many seconds")
     command.add_argument(
         "--no-guard",

@@ -20,6 +20,7 @@ from hullquad.optimization.settings import PaperSettings, SearchSettings
 from hullquad.optimizers import iterates
 from hullquad.placement import placed, unplaced
 from hullquad.plate import Document, Plate, Refusal
+from hullquad.quads.settings import MeshSettings, Preference
 from hullquad.quality import quality
 from hullquad.rules import rule_set
 from hullquad.triangulation.concerns import concerns_of
@@ -107,10 +108,17 @@ def _mesh_plate(contour: Contour, input_hash: str, output: Path, options: Namesp
         edges, unavoidable = contour.edge_count, contour.triangles_unavoidable
         say(f"{contour.plate.id}: {edges} contour edges, unavoidable triangles: {unavoidable}")
     with clock.running("mesh"):
-        mesh = pipeline.paper_mesh(contour, input_hash)
+        mesh = _meshed(contour, input_hash, options)
     with clock.running("optimize"):
         run = _improved(mesh, options)
     return _written(run, output, options, clock)
+
+
+def _meshed(contour: Contour, input_hash: str, options: Namespace) -> Mesh:
+    if options.mesher == "paper":
+        return pipeline.paper_mesh(contour, input_hash)
+    settings = MeshSettings(prefer=Preference(options.prefer), grading=options.grading)
+    return pipeline.best_mesh(contour, input_hash, settings)
 
 
 def _improved(mesh: Mesh, options: Namespace) -> Outcome:
