@@ -1,0 +1,132 @@
+"""Two thousand random plates: stars, combs, plates with holes and slots, graded edges; each from its own number.
+
+Ligaments are at least a tenth of the element size and corners at least 20 degrees. Everything is in elements of
+length one, then brought to millimetres, turned and moved.
+"""
+
+import numpy as np
+import shapely
+
+from hullquad.plate import Plate
+from hullquad.triangulation.contour import Contour
+
+LIGAMENT = 0.1
+SHARPEST = np.radians(20)
+SIZE = 100.0
+COUNT = 2000
+"""The whole corpus."""
+
+
+def plate_contour(number: int, template: Plate) -> Contour:
+    """Contour of the plate of a number; `template` gives what a contour needs of a plate beside its nodes."""
+    rng = np.random.default_rng(number)
+    while True:
+        rings = _KINDS[number % len(_KINDS)](rng)
+        divided = [_divided(ring, rng) for ring in rings]
+        if _is_sound(divided):
+            return _placed(divided, template, rng)
+
+
+def _star(rng):
+    count = rng.integers(3, 12)
+    angles = np.sort(rng.uniform(0, 2 * np.pi, count))
+    radii = rng.uniform(1.5, 8, count)
+    return [np.stack([radii * np.cos(angles), radii * np.sin(angles)], axis=1)]
+
+
+def _comb(rng):
+    teeth, width, gap = rng.integers(2, 6), rng.uniform(0.8, 3), rng.uniform(0.4, 2)
+    depth, back = rng.uniform(1, 5), rng.uniform(0.8, 4)
+    ring = [(0.0, 0.0), ((width + gap) * teeth - gap, 0.0)]
+    for tooth in reversed(range(teeth)):
+        left = (width + gap) * tooth
+        ring += [(left + width, back + depth), (left, back + depth)]
+        if tooth:
+            ring += [(left, back), (left - gap, back)]
+    return [np.array(ring)]
+
+
+def _box(rng):
+    width, height = rng.uniform(3, 14, 2)
+    return np.array([(0, 0), (width, 0), (width, height), (0, height)], dtype=float)
+
+
+def _holes(rng):
+    outer = _box(rng)
+    rings = [outer]
+    for _ in range(rng.integers(1, 5)):
+        centre, radius, corners = rng.uniform(0, 1, 2) * outer[2], rng.uniform(0.3, 2), rng.integers(3, 10)
+        turn = rng.uniform(0, np.pi) - np.arange(corners) * 2 * np.pi / corners
+        rings.append(centre + radius * np.stack([np.cos(turn), np.sin(turn)], axis=1))
+    return rings
+
+
+def _slots(rng):
+    outer = _box(rng)
+    (width, height), rows = outer[2], [outer[0]]
+    x = rng.uniform(0.5, 2)
+    while x + 1.0 < width:
+        gap, depth = rng.uniform(0.15, 0.6), rng.uniform(0.3, 0.6) * height
+        rows += [(x, 0.0), (x, depth), (x + gap, depth), (x + gap, 0.0)]
+        x += gap + rng.uniform(0.6, 3)
+    return [np.array([*rows, *outer[1:]])]
+
+
+def _graded(rng):
+    return [_box(rng) + rng.uniform(-0.7, 0.7, (4, 2))]
+
+
+_KINDS = (_star, _comb, _holes, _slots, _graded)
+
+
+def _divided(ring, rng):
+    """Edges in segments of about one, on one edge of three graded by up to one in six."""
+    rows = []
+    for start, end in zip(ring, np.roll(ring, -1, axis=0), strict=True):
+        count = max(1, round(np.hypot(*(end - start)) * rng.uniform(0.8, 1.25)))
+        stations = np.arange(count) / count
+        if rng.random() < 1 / 3 and count > 2:
+            stations = stations ** rng.uniform(1, 1.7)
+        rows.append(start + stations[:, None] * (end - start))
+    return np.concatenate(rows)
+
+
+def _is_sound(rings):
+    outer, *holes = rings
+    polygon = shapely.Polygon(outer, holes)
+    if (
+        not polygon.is_valid
+        or polygon.area < 2
+        or not all(shapely.Polygon(outer).contains(shapely.Polygon(h)) for h in holes)
+    ):
+        return False
+    lines = [shapely.LinearRing(ring) for ring in rings]
+    apart = all(one.distance(other) >= LIGAMENT for i, one in enumerate(lines) for other in lines[:i])
+    return apart and all(_is_open(ring) for ring in rings)
+
+
+def _is_open(ring):
+    """Whether a ring keeps away from itself and has no sharp corner."""
+    back, ahead = np.roll(ring, 1, axis=0) - ring, np.roll(ring, -1, axis=0) - ring
+    angles = np.arctan2(ahead[:, 0] * back[:, 1] - ahead[:, 1] * back[:, 0], (ahead * back).sum(axis=1)) % (2 * np.pi)
+    if min(angles.min(), (2 * np.pi - angles).min()) < SHARPEST or np.hypot(*ahead.T).min() < LIGAMENT:
+        return False
+    ends = np.stack([ring, np.roll(ring, -1, axis=0)], axis=1)
+    away = shapely.distance(shapely.points(ring)[:, None], shapely.linestrings(ends)[None])
+    index = np.arange(len(ring))
+    away[index, index] = away[index, index - 1] = np.inf
+    return bool(away.min() >= LIGAMENT)
+
+
+def _placed(rings, template, rng):
+    turn = rng.uniform(0, 2 * np.pi)
+    axes = np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
+    shift = rng.uniform(-1e4, 1e4, 2)
+    turned = [_run(ring, is_hole=i > 0) @ axes * SIZE + shift for i, ring in enumerate(rings)]
+    starts = np.cumsum([0, *map(len, turned)])
+    return Contour(plate=template, size=SIZE, nodes=np.concatenate(turned), loop_starts=starts)
+
+
+def _run(ring, *, is_hole):
+    """The ring counter-clockwise, or clockwise of a hole."""
+    return ring if shapely.LinearRing(ring).is_ccw != is_hole else ring[::-1]

@@ -1,0 +1,69 @@
+"""What must hold of every mesh of the best mesher, on random plates; a hundred of them, or as many as asked for.
+
+``pytest tests/corpus --plates 2000`` goes through all of them.
+"""
+
+import importlib.util
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from hullquad import pipeline
+from hullquad.formats import read_plates
+from hullquad.metrics.values import valid_elements
+from hullquad.topology import edges
+
+_spec = importlib.util.spec_from_file_location("corpus_plates", Path(__file__).with_name("plates.py"))
+corpus = importlib.util.module_from_spec(_spec)
+_spec.loader.exec_module(corpus)
+
+TEMPLATE = next(iter(read_plates(Path(__file__).parents[2] / "assets/plates/hopper_partition.json").plates))
+
+
+@pytest.fixture(scope="module")
+def meshes(request):
+    """Contours and their meshes."""
+    pipeline.prepare()
+    asked = request.config.getoption("--plates")
+    numbers = np.linspace(0, corpus.COUNT - 1, asked).astype(int)
+    found = {int(number): corpus.plate_contour(int(number), TEMPLATE) for number in numbers}
+    return {number: (contour, pipeline.best_mesh(contour, "corpus")) for number, contour in found.items()}
+
+
+def failing(meshes, claim):
+    return [number for number, (contour, mesh) in meshes.items() if not claim(contour, mesh)]
+
+
+def test_every_contour_node_keeps_its_bits(meshes):
+    assert not failing(meshes, lambda c, m: m.points[: len(c.points)].tobytes() == c.points.tobytes())
+
+
+def test_every_mesh_is_conforming_and_has_the_contour_as_its_rim(meshes):
+    def conforms(contour, mesh):
+        found, counts = edges(mesh.topology.elements)
+        rim = {tuple(edge) for edge in found[counts == 1].tolist()}
+        return counts.max() <= 2 and rim == {tuple(sorted(edge)) for edge in contour.segments.tolist()}
+
+    assert not failing(meshes, conforms)
+
+
+def test_every_element_is_valid_and_runs_counter_clockwise(meshes):
+    assert not failing(meshes, lambda c, m: valid_elements(m.points, m.topology.elements, m.normals).all())
+
+
+def test_every_area_is_that_of_the_contour(meshes):
+    def area(mesh):
+        rows = mesh.topology.elements
+        corners = mesh.parameters[np.where(rows < 0, rows[:, :1], rows)]
+        corners = corners - corners[:1, :1]
+        x, y = corners[..., 0], corners[..., 1]
+        return 0.5 * (x * np.roll(y, -1, axis=1) - y * np.roll(x, -1, axis=1)).sum()
+
+    assert not failing(meshes, lambda c, m: np.isclose(area(m), c.area, rtol=1e-9, atol=0))
+
+
+def test_even_contours_have_no_triangle_and_odd_ones_one(meshes):
+    excess = {n: len(m.topology.triangles) - c.triangles_unavoidable for n, (c, m) in meshes.items()}
+    assert max(excess.values()) <= 2, excess
+    assert sum(count == 0 for count in excess.values()) >= 0.99 * len(excess), {n: e for n, e in excess.items() if e}
