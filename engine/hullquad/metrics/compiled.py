@@ -27,6 +27,16 @@ def inlined(function: Callable[_Parameters, _Result]) -> Callable[_Parameters, _
     return cast("Callable[_Parameters, _Result]", numba.njit(**_OF_A_PART)(function))
 
 
+def woven(function: Callable[_Parameters, _Result]) -> Callable[_Parameters, _Result]:
+    """A part of a kernel whose lines are put into it before anything is compiled.
+
+    Of a chain of large parts each is compiled once then, not once more with every link.
+    """
+    return cast(
+        "Callable[_Parameters, _Result]", numba.njit(inline="always", nogil=True, error_model="numpy")(function)
+    )
+
+
 def _jit(function: Callable[_Parameters, _Result]) -> object:
     try:
         return numba.njit(cache=True, nogil=True, error_model="numpy")(function)

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hullquad.arrays import Floats, Longs
-from hullquad.metrics.compiled import compiled, inlined
+from hullquad.metrics.compiled import compiled, woven
 from hullquad.optimization.energy import Elements, Energy, energy_at
 from hullquad.optimization.rollback import HALVINGS, ROUNDS, hold_back
 
@@ -110,7 +110,7 @@ def iterate(run: Descent, tangents: Floats, elements: Elements, energy: Energy, 
     return GOING_ON
 
 
-@inlined
+@woven
 def _step(run: Descent, tangents: Floats, elements: Elements, energy: Energy) -> bool:
     """One iteration; from the steepest descent again where the remembered steps lead nowhere."""
     while True:
@@ -123,7 +123,7 @@ def _step(run: Descent, tangents: Floats, elements: Elements, energy: Energy) ->
         run.counts[0] = 0
 
 
-@inlined
+@woven
 def _aim(run: Descent, size: float) -> tuple[float, float]:
     """Set the direction (Algorithm 7.4); gives the slope along it and its longest unknown."""
     direction, alphas = run.direction, np.empty(PAIRS)
@@ -148,7 +148,7 @@ def _aim(run: Descent, size: float) -> tuple[float, float]:
     return _product(run.gradient, direction), longest
 
 
-@inlined
+@woven
 def _search(run: Descent, tangents: Floats, elements: Elements, energy: Energy, slope: float, longest: float) -> bool:
     """Whether a step along the direction makes the energy smaller; leaves it in `trial` and `trial_gradient`."""
     before = run.values[run.counts[1] % (LOOK_BACK + 1)]
@@ -172,7 +172,7 @@ def _search(run: Descent, tangents: Floats, elements: Elements, energy: Energy, 
     return False
 
 
-@inlined
+@woven
 def _try(
     run: Descent, tangents: Floats, elements: Elements, energy: Energy, length: float, slope: float
 ) -> tuple[float, bool, float]:
@@ -183,7 +183,7 @@ def _try(
     return value, is_whole, slope * length if is_whole else _slope_made(run, tangents)
 
 
-@inlined
+@woven
 def _settle(run: Descent, elements: Elements, energy: Energy) -> tuple[float, bool]:
     """Energy of the trial, once no element is spoilt by it, and whether nothing had to be held back for that."""
     for round_ in range(ROUNDS):
@@ -197,7 +197,7 @@ def _settle(run: Descent, elements: Elements, energy: Energy) -> tuple[float, bo
     return np.inf, False
 
 
-@inlined
+@woven
 def _remember(run: Descent, tangents: Floats, size: float) -> None:
     """Make the trial the present iterate and keep the step with its change of gradient."""
     row = run.counts[2] % PAIRS
