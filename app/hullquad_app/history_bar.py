@@ -1,13 +1,17 @@
 """The slider over the whole width by which every iterate can be shown again."""
 
+from collections.abc import Sequence
+
 from PySide6.QtCore import QEvent, QPointF, QRect, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPolygonF
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSlider, QStyle, QStyleOptionSlider, QWidget
 
+from hullquad.optimization.iterate import Iterate
 from hullquad_app.colours import COLOUR_MAPS, LIGHT, ColourMap, Palette
 from hullquad_app.panels.figures import sized
 from hullquad_app.panels.ground import coloured
 from hullquad_app.scene import Scene
+from hullquad_app.stage_words import stage_words
 
 _LEAST_DIGITS = 3
 """Room for iterates up to 999 from the start, so that the slider seldom changes its length."""
@@ -72,15 +76,18 @@ class HistoryBar(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self._palette, self._scene = LIGHT, Scene()
-        self.title, self.slider, self.place = QLabel(self.tr("History")), Slider(), QLabel()
+        self.title, self.slider = QLabel(self.tr("History")), Slider()
+        self.stage, self.place = QLabel(), QLabel()
+        self.stage.setAccessibleName(self.tr("Stage of the shown iterate"))
         self.title.setBuddy(self.slider)
         self.slider.setAccessibleName(self.tr("Iterate that is shown"))
         self.slider.setToolTip(self.tr("Show another iterate (Left, Right, Page Up, Page Down, Home, End)"))
         self.slider.valueChanged.connect(self.position_chosen)
-        self.place.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-        self.place.setFont(sized(self.font()))
+        for label in (self.stage, self.place):
+            label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+            label.setFont(sized(self.font()))
         line = QHBoxLayout(self)
-        for widget, stretch in ((self.title, 0), (self.slider, 1), (self.place, 0)):
+        for widget, stretch in ((self.title, 0), (self.slider, 1), (self.stage, 0), (self.place, 0)):
             line.addWidget(widget, stretch=stretch)
         self._show()
 
@@ -93,7 +100,8 @@ class HistoryBar(QWidget):
     def set_palette(self, palette: Palette, _: ColourMap = COLOUR_MAPS[0]) -> None:
         """Take the colours of a theme."""
         self._palette = palette
-        coloured(self.title, palette.dim)
+        for label in (self.title, self.stage):
+            coloured(label, palette.dim)
         coloured(self.place, palette.text)
         self._show()
 
@@ -101,7 +109,8 @@ class HistoryBar(QWidget):
         """Follow the font."""
         super().changeEvent(change)
         if change.type() == QEvent.Type.FontChange and hasattr(self, "place"):
-            self.place.setFont(sized(self.font()))
+            for label in (self.stage, self.place):
+                label.setFont(sized(self.font()))
             self._show()
 
     def _show(self) -> None:
@@ -116,9 +125,18 @@ class HistoryBar(QWidget):
             if not self.slider.isSliderDown():
                 self.slider.setValue(position)
         self.slider.mark(best, QColor(self._palette.accent))
+        self._show_stage(iterates, position)
         self.place.setText(self._words(*map(str, numbers)) if iterates else "")
         digits = "0" * max(len(str(numbers[1])), _LEAST_DIGITS)
         self.place.setFixedWidth(self.place.fontMetrics().horizontalAdvance(self._words(digits, digits)) + 2)
+
+    def _show_stage(self, iterates: Sequence[Iterate], position: int) -> None:
+        """Name the stage of the shown iterate, in a place that is wide enough for all of them."""
+        words = {stage: stage_words(stage) for stage in {iterate.stage for iterate in iterates}}
+        self.stage.setText(words[iterates[position].stage] if iterates else "")
+        self.stage.setVisible(any(words.values()))
+        advances = [self.stage.fontMetrics().horizontalAdvance(text) for text in words.values()]
+        self.stage.setFixedWidth(max(advances, default=0) + 2)
 
     def _words(self, number: str, last: str) -> str:
         return self.tr("iterate {number} of {last}").format(number=number, last=last)

@@ -8,12 +8,14 @@ from PySide6.QtWidgets import QLabel, QStatusBar
 from hullquad.mesh import Mesh
 from hullquad.metrics import Metric
 from hullquad.optimization.iterate import Iterate
+from hullquad.optimization.objective import Objective, objective_sum
 from hullquad_app.colours import COLOUR_MAPS, LIGHT, ColourMap, Palette
 from hullquad_app.metric_words import name_of
-from hullquad_app.objectives import optimised_by
+from hullquad_app.objectives import objective_name, optimised_by
 from hullquad_app.panels.figures import counted, sized, summed, valued
 from hullquad_app.panels.ground import coloured
 from hullquad_app.scene import Scene
+from hullquad_app.stage_words import stage_words
 
 
 class Sentence(QLabel):
@@ -97,7 +99,7 @@ class StatusBar(QStatusBar):
         if self._activity:
             return self._activity
         if scene.running:
-            return self.tr("running")
+            return " · ".join(filter(None, (self.tr("running"), _stage(scene))))
         if scene.track is None or scene.iterate is None:
             return ""
         stop, last = scene.track.last.stop, scene.track.last.number
@@ -105,7 +107,7 @@ class StatusBar(QStatusBar):
         if scene.iterate is scene.track.last:
             return ended
         where = self.tr("iterate {number} of {last} shown").format(number=scene.iterate.number, last=last)
-        return f"{where} · {ended}" if ended else where
+        return " · ".join(filter(None, (where, _stage(scene), ended)))
 
     def _objective_words(self) -> str:
         """Sum of the metric that is shown, and the objective where another metric was optimised."""
@@ -114,9 +116,13 @@ class StatusBar(QStatusBar):
             return ""
         by, run = optimised_by(scene.view.metric), scene.iterate.quality.metric
         text = f"Σ {name_of(by)} {summed(self._sums[scene.mesh][1], by)}"
-        if run is not by and scene.iterate.number:
-            other = self.tr("optimised by {metric}: {sum}")
-            text += " · " + other.format(metric=name_of(run), sum=summed(scene.iterate.objective, run))
+        weighted = self._weighted(scene.iterate)
+        if (run is not by or weighted) and scene.iterate.number:
+            other, name = (
+                self.tr("optimised by {metric}: {sum}"),
+                objective_name(weighted) if weighted else name_of(run),
+            )
+            text += " · " + other.format(metric=name, sum=summed(scene.iterate.objective, None if weighted else run))
         return text + self.tr(" · lengths in mm")
 
     def _warning_words(self) -> str:
@@ -141,8 +147,17 @@ class StatusBar(QStatusBar):
         sums: dict[Mesh, tuple[Metric, float]] = {}
         for iterate in filter(None, iterates):
             known = self._sums.get(iterate.mesh)
-            sums[iterate.mesh] = known if known is not None and known[0] is by else (by, _objective(iterate, by))
+            sums[iterate.mesh] = known if known is not None and known[0] is by else (by, self._sum(iterate, by))
         return sums
+
+    def _sum(self, iterate: Iterate, by: Metric) -> float:
+        if iterate.quality.metric is by and not self._weighted(iterate):
+            return iterate.objective
+        return objective_sum(iterate.mesh, by)
+
+    def _weighted(self, iterate: Iterate) -> Objective | None:
+        """Metrics and weights of an iterate's objective, where it is not the sum of one metric."""
+        return None if self._scene.track is None else self._scene.track.weighted_at(iterate.number)
 
 
 def _told(scene: Scene) -> tuple[object, ...]:
@@ -150,9 +165,6 @@ def _told(scene: Scene) -> tuple[object, ...]:
     return scene.iterate, scene.track, scene.quality, scene.running
 
 
-def _objective(iterate: Iterate, by: Metric) -> float:
-    if iterate.quality.metric is by:
-        return iterate.objective
-    from hullquad.optimization.paper import objective_sum  # noqa: PLC0415  brings Numba: half a second
-
-    return objective_sum(iterate.mesh, by)
+def _stage(scene: Scene) -> str:
+    """What the run was about when it came to the shown iterate."""
+    return "" if scene.iterate is None else stage_words(scene.iterate.stage)

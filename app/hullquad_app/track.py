@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 import attrs
 
 from hullquad.optimization.iterate import Iterate
+from hullquad.optimization.objective import Objective
 from hullquad_app.passage import Passage
 
 BUDGET = 512 * 2**20
@@ -57,6 +58,11 @@ class Track:
         """The track with further iterates of a run that began at the number `offset`."""
         numbered = (attrs.evolve(iterate, number=iterate.number + offset) for iterate in later)
         return attrs.evolve(self, iterates=tuple(thinned((*self.iterates, *numbered), budget)))
+
+    def weighted_at(self, number: int) -> Objective | None:
+        """The metrics and weights of that iterate's objective; None where it is the sum of one metric."""
+        by = next((passage.objective for passage in reversed(self.passages) if passage.start <= number), None)
+        return by if by is not None and len(by.terms) > 1 else None
 
     def row(self, number: int) -> int:
         """Position of the iterate of that number, or of the one kept before it."""

@@ -6,11 +6,11 @@ from PySide6.QtCore import QCoreApplication, QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
 
 from hullquad.arrays import Floats
-from hullquad.metrics import Metric
 from hullquad_app.colours import Palette
 from hullquad_app.metric_words import name_of
+from hullquad_app.objectives import objective_name
 from hullquad_app.panels.axis import Axis, labels, padded, ticks
-from hullquad_app.panels.course import Course, thinned
+from hullquad_app.panels.course import Course, Part, thinned
 from hullquad_app.panels.figures import summed, valued
 
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -49,18 +49,25 @@ class Band:
 
 def bands(course: Course, position: int, area: QRectF, line: float, palette: Palette) -> tuple[Band, Band]:
     """The objective above, the worst value below; axes fit the iterates judged as the shown one is."""
-    by = course.part_at(position).by
+    part = course.part_at(position)
     upper, lower = QRectF(area), QRectF(area)
     upper.setHeight(round(0.6 * area.height() - 0.2 * line))
     lower.setTop(upper.bottom() + round(0.4 * line))
     objective, worst = float(course.objectives[position]), float(course.worsts[position])
-    sum_title, worst_title = _titles(by)
+    sum_title, worst_title = _titles(part)
     x = Axis(course.numbers[0], course.numbers[-1], area.left(), area.right())
     rows = (
-        (sum_title, summed(objective, by), course.objectives, upper, palette.accent, 2.0),
-        (worst_title, valued(worst, by), course.worsts, lower, palette.dim, 1.5),
+        (
+            sum_title,
+            summed(objective, None if part.weighted else part.by),
+            course.objectives,
+            upper,
+            palette.accent,
+            2.0,
+        ),
+        (worst_title, valued(worst, part.by), course.worsts, lower, palette.dim, 1.5),
     )
-    alike = course.alike(by)
+    alike = course.alike(part)
     first, second = (
         Band(title=title, shown=text, values=values, x=x, y=_y_axis(values[alike], place, line), area=place, line=line,
              colour=colour, width=width)
@@ -69,10 +76,13 @@ def bands(course: Course, position: int, area: QRectF, line: float, palette: Pal
     return first, second
 
 
-def _titles(by: Metric) -> tuple[str, str]:
+def _titles(part: Part) -> tuple[str, str]:
     """Titles with an arrow to where it is better."""
-    better = "↑" if by.higher_is_better else "↓"
-    return f"Σ {name_of(by)} {better}", QCoreApplication.translate("History", "worst") + f" {better}"
+    better = "↑" if part.by.higher_is_better else "↓"
+    worst = QCoreApplication.translate("History", "worst") + f" {better}"
+    if part.weighted is not None:
+        return f"{objective_name(part.weighted)} ↑", worst
+    return f"Σ {name_of(part.by)} {better}", worst
 
 
 def _y_axis(values: Floats, area: QRectF, line: float) -> Axis:
@@ -96,11 +106,11 @@ def draw_frame(painter: QPainter, row: Band, palette: Palette) -> None:
     painter.drawText(title, _RIGHT, row.shown)
 
 
-def draw_course(painter: QPainter, row: Band, course: Course, active: Metric, palette: Palette) -> None:
-    """Draw the line; parts by another metric than the active one in grey, each on a scale of its own."""
+def draw_course(painter: QPainter, row: Band, course: Course, active: Part, palette: Palette) -> None:
+    """Draw the line; parts of another kind than the active one in grey, each on a scale of its own."""
     for part in course.parts:
         numbers, values = course.numbers[part.start : part.end], row.values[part.start : part.end]
-        if part.by is active:
+        if part.is_like(active):
             _draw_line(painter, row.x, row.y, numbers, values, QPen(QColor(row.colour), row.width))
         else:
             low, high = padded(values.tolist())
@@ -134,10 +144,10 @@ def draw_mark(painter: QPainter, row: Band, course: Course, position: int, groun
 def draw_ring(painter: QPainter, row: Band, course: Course, position: int, ground: str, text: str) -> None:
     """Draw an open ring at one iterate, and what it means on the side away from the line."""
     _draw_circle(painter, row, course, position, QPen(QColor(row.colour), 1.5), ground)
-    by, line = course.part_at(position).by, row.line
+    part, line = course.part_at(position), row.line
     width = painter.fontMetrics().horizontalAdvance(text)
     left = min(max(row.x.at(course.numbers[position]) - width / 2, row.x.start), row.x.end - width)
-    middle = row.y.at(float(row.values[position])) + (line if by.higher_is_better else -line)
+    middle = row.y.at(float(row.values[position])) + (line if part.rises else -line)
     painter.drawText(QRectF(left, middle - line / 2, width + 1, line), _LEFT, text)
 
 

@@ -7,17 +7,40 @@ import numpy as np
 
 from hullquad.arrays import Bools, Floats, Longs, floats
 from hullquad.metrics import Metric
+from hullquad.optimization.objective import Objective
+from hullquad_app.stage_words import stage_words
 from hullquad_app.track import Track
 
 
 @attrs.frozen(eq=False, kw_only=True)
 class Part:
-    """Consecutive iterates that were judged by one metric."""
+    """Consecutive iterates whose numbers can be compared."""
 
     start: int
     end: int
     """Position after the last."""
     by: Metric
+    """By which they were judged."""
+    weighted: Objective | None = None
+    """What their objective is made of where it is not the sum of that metric."""
+
+    @property
+    def rises(self) -> bool:
+        """Whether their objective rises as it becomes better."""
+        return self.weighted is not None or self.by.higher_is_better
+
+    def is_like(self, other: "Part") -> bool:
+        """Whether the iterates of both can be compared."""
+        return self.by is other.by and self.weighted == other.weighted
+
+
+@attrs.frozen(kw_only=True)
+class Stage:
+    """Where a run went over to something else."""
+
+    start: int
+    """Position of the first iterate."""
+    words: str
 
 
 @attrs.frozen(eq=False, kw_only=True)
@@ -30,6 +53,8 @@ class Course:
     parts: tuple[Part, ...]
     best: int
     """Position of the best iterate of the last run."""
+    stages: tuple[Stage, ...] = ()
+    """Of all runs that had some."""
 
     def part_at(self, position: int) -> Part:
         """The part that an iterate belongs to."""
@@ -41,11 +66,11 @@ class Course:
         around = [position for position in (after - 1, after) if 0 <= position < len(self.numbers)]
         return min(around, key=lambda position: abs(self.numbers[position] - number))
 
-    def alike(self, by: Metric) -> Bools:
-        """(I,) which iterates were judged by a metric."""
+    def alike(self, other: Part) -> Bools:
+        """(I,) which iterates can be compared with those of a part."""
         mask = np.zeros(len(self.numbers), dtype=bool)
         for part in self.parts:
-            mask[part.start : part.end] = part.by is by
+            mask[part.start : part.end] = part.is_like(other)
         return mask
 
 
@@ -57,14 +82,24 @@ def course(track: Track) -> Course:
         worsts=[iterate.quality.worst for iterate in track.iterates],
         parts=tuple(_parts(track)),
         best=max((row for row, iterate in enumerate(track.iterates) if iterate.is_best), default=0),
+        stages=tuple(_stages(track)),
     )
 
 
+def _stages(track: Track) -> Iterator[Stage]:
+    before = ""
+    for row, iterate in enumerate(track.iterates):
+        if iterate.stage and iterate.stage != before:
+            yield Stage(start=row, words=stage_words(iterate.stage))
+        before = iterate.stage
+
+
 def _parts(track: Track) -> Iterator[Part]:
-    metrics = [iterate.quality.metric for iterate in track.iterates]
-    starts = [row for row, by in enumerate(metrics) if row == 0 or by is not metrics[row - 1]]
-    for start, end in zip(starts, [*starts[1:], len(metrics)], strict=True):
-        yield Part(start=start, end=end, by=metrics[start])
+    kinds = [(iterate.quality.metric, track.weighted_at(iterate.number)) for iterate in track.iterates]
+    starts = [row for row, kind in enumerate(kinds) if row == 0 or kind != kinds[row - 1]]
+    for start, end in zip(starts, [*starts[1:], len(kinds)], strict=True):
+        by, weighted = kinds[start]
+        yield Part(start=start, end=end, by=by, weighted=weighted)
 
 
 def thinned(places: Floats, values: Floats) -> Longs:

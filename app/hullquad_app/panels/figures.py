@@ -30,11 +30,11 @@ def unit_of(by: Metric) -> str:
     return f"\N{NO-BREAK SPACE}{by.unit}" if by.unit.isalpha() else by.unit
 
 
-def summed(objective: float, by: Metric) -> str:
-    """A sum of values of a metric, with its unit."""
+def summed(objective: float, by: Metric | None) -> str:
+    """A sum of values of a metric, with its unit; of several metrics, which has none."""
     if isinf(objective):
         return "∞" if objective > 0 else "−∞"
-    return signed(f"{objective:.{1 if by.unit else 3}f}{unit_of(by)}")
+    return signed(f"{objective:.3f}" if by is None or not by.unit else f"{objective:.1f}{unit_of(by)}")
 
 
 def plain(value: float, by: Metric) -> str:

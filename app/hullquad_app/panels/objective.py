@@ -6,13 +6,16 @@ from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from hullquad_app.colours import COLOUR_MAPS, LIGHT, ColourMap, Palette
 from hullquad_app.metric_words import name_of
+from hullquad_app.objectives import objective_name
 from hullquad_app.panels.axis import Axis, ticks
 from hullquad_app.panels.band import Band, bands, draw_course, draw_frame, draw_mark, draw_ring, draw_station
 from hullquad_app.panels.course import Course, course
 from hullquad_app.panels.figures import CAPTION, counted, sized, summed, valued
 from hullquad_app.panels.ground import dress
 from hullquad_app.panels.pace import Pace
+from hullquad_app.panels.stage_marks import draw_stages
 from hullquad_app.scene import Scene
+from hullquad_app.stage_words import stage_words
 from hullquad_app.track import Track
 
 _CENTRE = Qt.AlignmentFlag.AlignCenter
@@ -97,9 +100,10 @@ class ObjectivePanel(QWidget):
         for row in both:
             draw_frame(painter, row, self._palette)
         self._draw_iterations(painter, both[0].x, rows)
+        draw_stages(painter, both[0], rows, self._palette)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         for row in both:
-            draw_course(painter, row, rows, rows.part_at(self._position).by, self._palette)
+            draw_course(painter, row, rows, rows.part_at(self._position), self._palette)
         self._draw_marks(painter, both, rows)
 
     def mouseMoveEvent(self, move: QMouseEvent) -> None:
@@ -152,13 +156,16 @@ class ObjectivePanel(QWidget):
         assert self._track is not None  # asked only where there are iterates
         iterate = self._track.iterates[position]
         by = iterate.quality.metric
-        text = self.tr("iterate {number}: Σ {metric} {objective}, worst {worst}, moved {moved} mm").format(
+        weighted = self._track.weighted_at(iterate.number)
+        text = self.tr("iterate {number}: {name} {objective}, worst {worst}, moved {moved} mm").format(
             number=iterate.number,
-            metric=name_of(by),
-            objective=summed(iterate.objective, by),
+            name=f"Σ {name_of(by)}" if weighted is None else objective_name(weighted),
+            objective=summed(iterate.objective, None if weighted else by),
             worst=valued(iterate.quality.worst, by),
             moved=f"{iterate.displacement:.3g}",
         )
+        if iterate.stage:
+            text += self.tr(", {stage}").format(stage=stage_words(iterate.stage))
         is_best = self._course is not None and position == self._course.best
         return text + self.tr(" (best)") if is_best else text
 
@@ -195,7 +202,7 @@ class ObjectivePanel(QWidget):
             draw_station(painter, row, rows.numbers[shown_at], self._palette.dim)
             if self._hovered is not None:
                 draw_station(painter, row, rows.numbers[self._hovered], self._palette.accent)
-        if rows.best != shown_at and rows.alike(rows.part_at(shown_at).by)[rows.best]:
+        if rows.best != shown_at and rows.alike(rows.part_at(shown_at))[rows.best]:
             draw_ring(painter, both[0], rows, rows.best, ground, self.tr("best"))
         for row in both:
             draw_mark(painter, row, rows, shown_at, ground)
