@@ -78,6 +78,8 @@ ROWS = (
     Row(MESH, _tr("&Cancel"), _tr("Give up what is being opened or meshed"), "session.cancel", "", "", "can_cancel"),
     Row(OPTIMISE, _tr("&Step"), _tr("One iteration from the mesh that is shown"), "session.step", "S", "step", "can_step"),
     Row(OPTIMISE, _tr("&Run"), _tr("Iterate until nothing is gained"), "session.run", "R", "run", "can_run"),
+    Row(OPTIMISE, _tr("Open &folded elements"), _tr("Turn elements that are inside out the right way"), "session.untangle", "U", "", "can_untangle"),
+    Row(OPTIMISE, _tr("&Optimiser and options"), _tr("Choose how the nodes are moved, or go back to the history"), "docks.toggle_search", "O", "", "", None, "choose_optimizer"),
     Row(OPTIMISE, _tr("&Pause"), _tr("End the run here"), "session.pause", "Space", "pause", "can_pause"),
     Row(OPTIMISE, _tr("R&eset"), _tr("Go back to the mesh as it was made or loaded"), "session.reset", "Ctrl+R", "reset", "can_reset"),
     Row(OPTIMISE, _tr("One iterate &back"), _tr("Show the iterate before this one"), "session.scrub_by", "Ctrl+Left", "", "can_scrub", -1, "back"),

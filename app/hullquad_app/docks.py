@@ -9,6 +9,7 @@ from hullquad_app.colours import ColourMap, Palette
 from hullquad_app.panels.element import ElementPanel
 from hullquad_app.panels.meshing import MeshingPanel
 from hullquad_app.panels.objective import ObjectivePanel
+from hullquad_app.panels.outcome import OutcomePanel
 from hullquad_app.panels.plates import PlatesPanel
 from hullquad_app.panels.quality import QualityPanel
 from hullquad_app.panels.rules import RulesPanel
@@ -24,6 +25,7 @@ _MOST = 0.45
 _HEIGHTS = {"quality": 36, "objective": 25, "worst": 39}
 """Shares of the column."""
 _WHEN_INSPECTING = {"quality": 30, "element": 42, "worst": 28}
+_WHEN_CHOOSING = {"quality": 30, "search": 42, "worst": 28}
 
 
 class Docks(QObject):
@@ -34,10 +36,11 @@ class Docks(QObject):
         self._window = window
         self.quality, self.objective, self.worst = QualityPanel(), ObjectivePanel(), WorstPanel()
         self.meshing, self.search, self.plates = MeshingPanel(), SearchPanel(), PlatesPanel()
-        self.rules, self.element = RulesPanel(), ElementPanel()
+        self.rules, self.element, self.outcome = RulesPanel(), ElementPanel(), OutcomePanel()
         self._panels = (
             self.quality,
             self.objective,
+            self.outcome,
             self.element,
             self.worst,
             self.rules,
@@ -50,8 +53,9 @@ class Docks(QObject):
             for name, title, panel in (
                 ("quality", self.tr("Quality distribution"), self.quality),
                 ("objective", self.tr("Objective history"), self.objective),
+                ("outcome", self.tr("Result"), self.outcome),
                 ("element", self.tr("Element"), self.element),
-                ("search", self.tr("Search settings"), self.search),
+                ("search", self.tr("Optimiser"), self.search),
                 ("worst", self.tr("Worst elements"), self.worst),
                 ("rules", self.tr("Rules"), self.rules),
                 ("meshing", self.tr("Mesh"), self.meshing),
@@ -66,8 +70,9 @@ class Docks(QObject):
         for name in ("quality", "objective", "worst"):
             self._window.addDockWidget(column, self._docks[name])
         for name, neighbour in (
-            ("element", "objective"),
+            ("outcome", "objective"),
             ("search", "objective"),
+            ("element", "objective"),
             ("rules", "worst"),
             ("meshing", "worst"),
             ("plates", "worst"),
@@ -100,7 +105,7 @@ class Docks(QObject):
         """Take the colours of a theme, and the map by which elements are coloured."""
         for panel in (self.quality, self.objective, self.element, self.worst, self.rules, self.plates):
             panel.set_palette(palette, chosen)
-        for form in (self.meshing, self.search):
+        for form in (self.meshing, self.search, self.outcome):
             form.set_palette(palette)
 
     def inspect(self) -> None:
@@ -118,9 +123,20 @@ class Docks(QObject):
         else:
             self.inspect()
 
+    def toggle_search(self) -> None:
+        """Bring up the optimiser's options, with room for them, or the objective history in their place."""
+        if _is_in_front(self.search):
+            self._docks["objective"].raise_()
+            self._share(_HEIGHTS)
+            return
+        self._docks["search"].show()
+        self._docks["search"].raise_()
+        self._share(_WHEN_CHOOSING)
+        self.search.optimizer.setFocus()
+
     @property
     def _is_inspecting(self) -> bool:
-        return self.element.isVisible() and not self.element.visibleRegion().isEmpty()
+        return _is_in_front(self.element)
 
     def _share(self, heights: dict[str, int]) -> None:
         docks = [self._docks[name] for name in heights]
@@ -146,8 +162,19 @@ class Docks(QObject):
 
     def _connect_search(self, session: Session) -> None:
         self.search.changed.connect(session.set_paper)
+        self.search.search_changed.connect(session.set_search)
         self.search.objective_chosen.connect(session.choose_objective)
-        self.search.show_settings(session.settings.paper, session.settings.objective)
+        self.search.options.rules.picked.connect(session.judging.judge_by)
+        self.search.options.rules.offer(lambda: session.settings.rule_files)
+        settings = session.settings
+        self.search.show_settings(settings.paper, settings.objective, settings.search)
+        session.optimizer.run_began.connect(lambda: self._exchange(self.outcome, "objective"))
+        session.optimizer.run_ended.connect(lambda: self._exchange(self.objective, "outcome"))
+
+    def _exchange(self, shown: QWidget, name: str) -> None:
+        """Bring another panel up in the place of one that is in front: the run to watch, or what came of it."""
+        if _is_in_front(shown):
+            self._docks[name].raise_()
 
     def _connect_meshing(self, session: Session) -> None:
         self.meshing.size_chosen.connect(session.divide)
@@ -169,8 +196,13 @@ class Docks(QObject):
     def _dock(self, name: str, title: str, panel: QWidget) -> QDockWidget:
         dock = QDockWidget(title, self._window)
         dock.setObjectName(name)
-        dock.setWidget(_scrolled(panel) if panel in (self.search, self.meshing) else panel)
+        dock.setWidget(_scrolled(panel) if panel in (self.search, self.meshing, self.outcome) else panel)
         return dock
+
+
+def _is_in_front(panel: QWidget) -> bool:
+    """Whether a panel is seen, and not only its tab."""
+    return panel.isVisible() and not panel.visibleRegion().isEmpty()
 
 
 def _scrolled(form: QWidget) -> QScrollArea:

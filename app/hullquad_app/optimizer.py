@@ -18,6 +18,10 @@ class Optimizer(QObject):
 
     ended_unmoved = Signal(object)
     """Emitted with the `Stop` of a run that could do nothing; the document is as it was."""
+    run_began = Signal()
+    """Emitted when a run is shown from now on, but a single step."""
+    run_ended = Signal()
+    """Emitted when it is in the document."""
     failed = Signal(object)
     """Emitted with the exception that ended a run; what came before it is kept."""
 
@@ -60,6 +64,8 @@ class Optimizer(QObject):
         paused = self._taken_up(scene, plan)
         self._recording = Recording(scene, plan, is_step=steps == 1, paused=paused)
         self._document.preview(self._recording.track)
+        if not self._recording.is_step:
+            self.run_began.emit()
         self.run.start(self._recording.source, None if steps is None else steps + self._recording.is_new)
 
     def pause(self) -> None:
@@ -135,6 +141,8 @@ class Optimizer(QObject):
         label = run_label(recording.plan, *recording.ends(stop), is_step=recording.is_step)
         after = self._document.scene.state.with_track(recording.key, recording.track)
         self._document.change(label, after, recording.key, recording.result(stop))
+        if not recording.is_step:
+            self.run_ended.emit()
 
     def _fail(self, problem: Exception) -> None:
         self._due = 0

@@ -59,10 +59,10 @@ def plan(scene: Scene, settings: Settings) -> Plan:
 def planned(scene: Scene, search: Search, paper: PaperSettings, objective: str | None) -> Plan:
     """The same by other settings than those that are remembered."""
     row, view = optimizer(search.optimizer), scene.view
-    is_paper = row.key == PAPER
+    is_paper, by = row.key == PAPER, wanted(view.metric, objective)
     return Plan(
         optimizer=row,
-        objective=wanted(view.metric, objective),
+        objective=Objective(by.terms[:1]) if is_paper else by,
         search=search,
         paper=paper if is_paper else None,
         rules=view.rules if row.has_rules else None,

@@ -15,6 +15,7 @@ from hullquad_app.colour_menu import ColourMenu
 from hullquad_app.colours import LIGHT, ColourMap, Theme
 from hullquad_app.docks import Docks
 from hullquad_app.filing import Filing
+from hullquad_app.fold_bar import FoldBar
 from hullquad_app.history_bar import HistoryBar
 from hullquad_app.judging_files import JudgingFiles
 from hullquad_app.live import Live
@@ -47,6 +48,7 @@ class MainWindow(QMainWindow):
         self.docks, self.history, self.status = Docks(self), HistoryBar(), StatusBar()
         self._live = Live(session.document, self._turns)
         self.actions_by_name = Actions(self._targets(), self)
+        self.folds = FoldBar(self.actions_by_name["untangle"])
         self._state = session.document.scene.state
         self._middle, self._colours = QStackedWidget(), ColourMenu(self)
         self._themes = ThemeMenu(self)
@@ -85,9 +87,10 @@ class MainWindow(QMainWindow):
             self.messages.hide()
         self._middle.setCurrentWidget(self.canvas if scene.state.keys else self.welcome)
         if scene.running:
+            self.folds.hide()
             self._live.show()
         else:
-            for shows in (self.canvas, self.docks, self.choices, self.history, self.status):
+            for shows in (self.folds, self.canvas, self.docks, self.choices, self.history, self.status):
                 shows.show_scene(scene)
         name = scene.state.title
         self.setWindowTitle(self.tr("{name}[*] – HullQuad").format(name=name) if name else self.tr("HullQuad"))
@@ -98,7 +101,8 @@ class MainWindow(QMainWindow):
         self.session.settings.theme = chosen.value
         self._themes.show_choice(chosen)
         self._palette = theme.apply(chosen)
-        for dressed in (self.canvas, self.choices, self.history, self.status, self.messages, self.actions_by_name):
+        bars = (self.choices, self.history, self.status, self.messages, self.folds)
+        for dressed in (self.canvas, *bars, self.actions_by_name):
             dressed.set_palette(self._palette)
         self.docks.set_palette(self._palette, self._colours.chosen)
 
@@ -171,6 +175,7 @@ class MainWindow(QMainWindow):
         for page in (self.welcome, self.canvas):
             self._middle.addWidget(page)
         column.addWidget(self.messages)
+        column.addWidget(self.folds)
         column.addWidget(self._middle, stretch=1)
         self.setCentralWidget(centre)
         self.addToolBar(self._tools())
@@ -220,13 +225,14 @@ class MainWindow(QMainWindow):
         self.choices.limit_reset.connect(session.judging.reset_limit)
         self.choices.rules.offer(lambda: session.settings.rule_files)
         self.choices.rules_chosen.connect(session.judging.judge_by)
-        self.choices.rules_file_wanted.connect(self.judging_files.choose_rules)
+        for wanted in (self.choices.rules_file_wanted, self.docks.search.options.rules.file_wanted):
+            wanted.connect(self.judging_files.choose_rules)
         self.canvas.picked.connect(lambda row, extend: session.select({row}, extend=extend))
         self.canvas.painted.connect(session.optimizer.run.painted)
         self.canvas.missed.connect(lambda: session.select(()))
         self._live.follow(self.canvas)
         self._live.follow(self.docks.quality, self.choices, self.history, self.status)
-        self._live.follow(self.docks.objective, self.docks.search, seldom=True)
+        self._live.follow(self.docks.objective, self.docks.outcome, self.docks.search, seldom=True)
         self._live.follow(self.docks.rules, self.docks.element, seldom=True)
         self._live.follow(self.docks.worst, self.docks.meshing, self.docks.plates, seldom=True)
         self.docks.connect_to(session, self.canvas)

@@ -1,32 +1,36 @@
-"""The panel with the paper's parameters: what it says of them, and of what a run has brought."""
+"""The panel that chooses the optimiser, what it optimises by, and its options."""
 
 from pathlib import Path
 
 import attrs
 import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QCheckBox, QComboBox, QPushButton, QSpinBox
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtWidgets import QCheckBox, QComboBox, QPushButton, QSpinBox, QToolButton
 
 from hullquad import pipeline, worker
 from hullquad.formats import read_plates
 from hullquad.metrics import METRICS, metric
 from hullquad.optimization.paper import PaperSettings, paper_iterates, unmoved
+from hullquad.optimizers import OPTIMIZERS
+from hullquad.rules import rule_set
 from hullquad.triangulation.contour import contours
-from hullquad_app.colours import DARK
 from hullquad_app.document import Document
 from hullquad_app.panels.scale_spin import ScaleSpin
 from hullquad_app.panels.search import SearchPanel
 from hullquad_app.scene import Scene, State, View
+from hullquad_app.search import Search
 from hullquad_app.track import Track
 
 HOPPER = Path(__file__).parents[2] / "assets" / "plates" / "hopper_partition.json"
 STRETCH = metric("stretch")
+PAPER = Search(optimizer="paper")
 
 
 @pytest.fixture
 def panel(qtbot):
     panel = SearchPanel()
     qtbot.addWidget(panel)
+    panel.show_settings(PaperSettings(), None, PAPER)
     panel.show()
     return panel
 
@@ -65,9 +69,11 @@ def typed(qtbot, box, text):
 
 
 def test_it_shows_the_settings_without_asking_for_others(panel, wanted):
-    panel.show_settings(PaperSettings(step=0.001, iterations=77, tolerance=1e-7, guard=False), "shape")
-    assert (panel.step.value(), panel.iterations.value(), panel.tolerance.value()) == (0.001, 77, 1e-7)
-    assert not panel.guard.isChecked()
+    panel.show_settings(PaperSettings(step=0.001, iterations=77, tolerance=1e-7, guard=False), "shape", PAPER)
+    paper = panel.paper
+    assert (paper.step.value(), paper.iterations.value(), paper.tolerance.value()) == (0.001, 77, 1e-7)
+    assert not paper.guard.isChecked()
+    assert panel.optimizer.currentText() == "The paper's method"
     assert panel.objective.currentText() == "Shape"
     assert wanted == []
 
@@ -77,24 +83,24 @@ def test_it_shows_the_settings_without_asking_for_others(panel, wanted):
     [("step", "0.01", 0.01), ("step", "2e-3", 0.002), ("iterations", "25", 25), ("tolerance", "1e-8", 1e-8)],
 )
 def test_a_typed_parameter_is_asked_for_once(panel, wanted, qtbot, name, text, value):
-    typed(qtbot, getattr(panel, name), text)
+    typed(qtbot, getattr(panel.paper, name), text)
     assert wanted == [attrs.evolve(PaperSettings(), **{name: value})]
 
 
 def test_the_guard_can_be_taken_away(panel, wanted, qtbot):
-    qtbot.keyClick(panel.guard, Qt.Key.Key_Space)
+    qtbot.keyClick(panel.paper.guard, Qt.Key.Key_Space)
     assert wanted == [PaperSettings(guard=False)]
 
 
 def test_what_the_panel_does_not_show_is_kept(panel, wanted):
-    panel.show_settings(PaperSettings(window=7), None)
-    panel.iterations.setValue(3)
+    panel.show_settings(PaperSettings(window=7), None, PAPER)
+    panel.paper.iterations.setValue(3)
     assert wanted == [PaperSettings(window=7, iterations=3)]
 
 
 def test_defaults_come_back(panel, wanted, qtbot):
     assert not panel.defaults.isEnabled()
-    panel.show_settings(PaperSettings(step=0.1), "shape")
+    panel.show_settings(PaperSettings(step=0.1), "shape", PAPER)
     with qtbot.waitSignal(panel.objective_chosen) as chosen:
         qtbot.mouseClick(panel.defaults, Qt.MouseButton.LeftButton)
     assert chosen.args == [None]
@@ -112,46 +118,13 @@ def test_another_objective_is_chosen(panel, qtbot):
 
 def test_the_step_is_told_as_a_length_squared(panel, hopper):
     panel.show_scene(scene(hopper, PaperSettings(iterations=1)))
-    assert panel.length.text() == "= 187.5 mm² at h = 250 mm"
+    assert panel.paper.length.text() == "= 187.5 mm² at h = 250 mm"
 
 
-def test_objective_and_worst_are_shown_before_and_now(panel, hopper):
-    shown = scene(hopper, PaperSettings(iterations=30))
-    panel.show_scene(shown)
-    outcome, first, now = panel.outcome, shown.track.first, shown.iterate
-    assert outcome.captions[0].text() == "Sum of stretch"
-    assert [label.text() for label in outcome.before] == [f"{first.objective:.3f}", f"{first.quality.worst:.3f}", "0"]
-    assert [label.text() for label in outcome.now] == [f"{now.objective:.3f}", f"{now.quality.worst:.3f}", "0"]
-
-
-def test_the_reason_to_stop_comes_with_its_advice(panel, hopper):
-    shown = scene(hopper, PaperSettings(iterations=3))
-    panel.show_scene(shown)
-    assert panel.outcome.stop.isVisible()
-    assert "Ended at iteration 3" in panel.outcome.stop.text()
-    assert shown.track.last.stop.advice in panel.outcome.stop.text()
-
-
-def test_a_worst_that_is_sacrificed_to_the_sum_is_warned_of(panel, hopper):
-    folded = scene(hopper, PaperSettings(iterations=60, step=0.02, guard=False))
-    panel.show_scene(folded)
-    assert panel.outcome.warning.isVisible()
-    assert int(panel.outcome.now[2].text()) == folded.quality.inverted_count > 0
-
-
-def test_a_mesh_as_it_was_made_is_warned_of_nothing(panel, hopper):
-    panel.show_scene(scene(hopper, PaperSettings(iterations=60, step=0.02, guard=False), position=0))
-    assert not panel.outcome.warning.isVisible()
-
-
-def test_it_can_be_dark(panel, hopper):
-    panel.show_scene(scene(hopper, PaperSettings(iterations=3)))
-    panel.set_palette(DARK)
-    assert panel.outcome.stop.palette().windowText().color().name().upper() == DARK.text
-
-
-def test_every_control_has_a_name_and_fits_the_column(panel):
-    for kind in (ScaleSpin, QSpinBox, QComboBox, QCheckBox, QPushButton):
+@pytest.mark.parametrize("key", [row.key for row in OPTIMIZERS])
+def test_every_control_has_a_name_and_fits_the_column(panel, key):
+    panel.show_settings(PaperSettings(), "stretch=2,shape", Search(optimizer=key))
+    for kind in (ScaleSpin, QSpinBox, QComboBox, QCheckBox, QPushButton, QToolButton):
         assert all(control.accessibleName() for control in panel.findChildren(kind))
     assert panel.minimumSizeHint().width() < 60 * panel.fontMetrics().averageCharWidth()
 
@@ -183,3 +156,93 @@ def test_what_is_no_number_of_the_range_is_not_taken(qtbot, text):
 def test_it_says_what_is_optimised_where_the_shown_metric_cannot_be(panel, key, text):
     panel.show_scene(Scene(view=View(metric=metric(key))))
     assert panel.objective.itemText(0) == text
+
+
+@pytest.fixture
+def searches(panel):
+    """Searches that the panel has asked for."""
+    asked = []
+    panel.search_changed.connect(asked.append)
+    return asked
+
+
+def rows_shown(panel):
+    """Names of the controls that are there."""
+    parts = {"by": panel.objective, "weights": panel.weights, "local": panel.local, "step": panel.paper.step}
+    options = {name: getattr(panel.options, name) for name in ("rules", "floor", "iterations", "seconds")}
+    return {name for name, widget in (parts | options).items() if widget.isVisible()}
+
+
+@pytest.mark.parametrize(
+    ("key", "shown"),
+    [
+        ("default", {"by", "local", "floor", "iterations", "seconds"}),
+        ("fine", {"by", "local", "floor", "iterations", "seconds"}),
+        ("worst", {"by", "local", "iterations", "seconds"}),
+        ("rules", {"by", "local", "rules", "floor", "iterations", "seconds"}),
+        ("untangle", {"local", "iterations", "seconds"}),
+        ("paper", {"by", "step"}),
+    ],
+)
+def test_an_optimiser_shows_its_own_options_only(panel, searches, qtbot, key, shown):
+    row = [row.key for row in OPTIMIZERS].index(key)
+    panel.optimizer.setFocus()
+    qtbot.keyClick(panel.optimizer, Qt.Key.Key_Home)
+    for _ in range(row):
+        qtbot.keyClick(panel.optimizer, Qt.Key.Key_Down)
+    assert searches[-1] == Search(optimizer=key)
+    assert panel.words.text() == OPTIMIZERS[row].words
+    assert rows_shown(panel) == shown
+
+
+def test_the_options_are_asked_for(panel, searches, qtbot):
+    panel.show_settings(PaperSettings(), None, Search())
+    qtbot.keyClick(panel.options.floor, Qt.Key.Key_Down)
+    typed(qtbot, panel.options.iterations, "50")
+    typed(qtbot, panel.options.seconds, "7")
+    assert searches == [
+        Search(floor=0.6),
+        Search(floor=0.6, iterations=50),
+        Search(floor=0.6, iterations=50, seconds=7),
+    ]
+    qtbot.mouseClick(panel.defaults, Qt.MouseButton.LeftButton)
+    assert searches[-1] == Search()
+
+
+def test_metrics_are_weighted_added_and_removed(panel, qtbot):
+    panel.show_settings(PaperSettings(), None, Search())
+    asked = []
+    panel.objective_chosen.connect(asked.append)
+    qtbot.keyClick(panel.objective, Qt.Key.Key_End)
+    assert asked[-1].startswith("stretch=1,")
+    assert panel.weights.isVisible()
+    qtbot.mouseClick(panel.weights.add, Qt.MouseButton.LeftButton)
+    assert len(panel.weights.rows) == 3
+    typed(qtbot, panel.weights.rows[0].weight, "2.5")
+    for row in panel.weights.rows[:0:-1]:
+        qtbot.mouseClick(row.remove, Qt.MouseButton.LeftButton)
+    assert asked[-1] == "stretch=2.5"
+    assert not panel.weights.rows[0].remove.isEnabled()
+    qtbot.keyClick(panel.objective, Qt.Key.Key_Home)
+    assert asked[-1] is None
+    assert not panel.weights.isVisible()
+
+
+def test_only_a_selection_can_be_optimised_alone(panel, searches, hopper, qtbot):
+    panel.show_settings(PaperSettings(), None, Search())
+    shown = scene(hopper, PaperSettings(iterations=1))
+    panel.show_scene(shown)
+    assert not panel.local.only.isEnabled()
+    panel.show_scene(attrs.evolve(shown, view=attrs.evolve(shown.view, selection=frozenset([0]))))
+    qtbot.mouseClick(panel.local.only, Qt.MouseButton.LeftButton, pos=QPoint(5, panel.local.only.height() // 2))
+    typed(qtbot, panel.local.rings, "0")
+    assert searches[-1] == Search(is_local=True, rings=0)
+    free = hopper.topology.is_free
+    count = int(free[hopper.topology.elements[0]].sum())
+    assert panel.local.extent.text() == f"{count} of {free.sum()} free nodes may move"
+
+
+def test_the_rules_that_are_judged_by_are_shown(panel):
+    panel.show_settings(PaperSettings(), None, Search(optimizer="rules"))
+    panel.show_scene(Scene(view=View(rules=rule_set("bv"))))
+    assert panel.options.rules.currentText() == rule_set("bv").title

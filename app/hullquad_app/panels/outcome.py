@@ -1,71 +1,109 @@
-"""What the optimisation has brought so far: objective, worst and inverted elements, before and now; why it ended."""
+"""What a run has brought: figures before and now, how far and how long it went, and why it ended."""
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
-from hullquad.metrics import Metric
-from hullquad.optimization.iterate import Iterate
-from hullquad_app.colours import INVERTED, LIGHT, Palette
+from hullquad_app.balance import Balance, Side, balance
+from hullquad_app.colours import COLOUR_MAPS, INVERTED, LIGHT, ColourMap, Palette
 from hullquad_app.metric_words import name_of
-from hullquad_app.panels.figures import counted, sized, summed, valued
-from hullquad_app.panels.ground import coloured
+from hullquad_app.objectives import objective_name
+from hullquad_app.panels.figures import CAPTION, counted, sized, summed, valued
+from hullquad_app.panels.ground import coloured, dress
+from hullquad_app.plan import UNTANGLE
 from hullquad_app.scene import Scene
 
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _NONE = "–"
+_INVERTED = 4
+"""Row of the inverted elements."""
 
 
-class Outcome(QWidget):
+class OutcomePanel(QWidget):
     """A small table, a warning, and the reason to stop with its advice."""
 
     def __init__(self) -> None:
         super().__init__()
         self._scene, self._palette = Scene(), LIGHT
-        self.captions = [QLabel(text) for text in (self.tr("Sum"), self.tr("Worst"), self.tr("Inverted"))]
-        self.heads = [QLabel(self.tr("at the start")), QLabel(self.tr("now"))]
-        self.before = [self._number(self.tr("{name} at the start"), caption) for caption in self.captions]
+        self._balance: Balance | None = None
+        self.captions = [QLabel(text) for text in self._captions()]
+        self.heads = [QLabel(self.tr("before")), QLabel(self.tr("now"))]
+        self.before = [self._number(self.tr("{name} before"), caption) for caption in self.captions]
         self.now = [self._number(self.tr("{name} now"), caption) for caption in self.captions]
+        self.effort = self._sentence(self.tr("Effort"))
+        self.effort.setFont(sized(self.font(), CAPTION))
         self.warning, self.stop = self._sentence(self.tr("Warning")), self._sentence(self.tr("Why the run ended"))
         self._arrange()
+        self.set_palette(LIGHT)
 
     def show_scene(self, scene: Scene) -> None:
         """Show what has become of the mesh that is shown."""
         before, self._scene = self._scene, scene
-        if (scene.iterate, scene.track, scene.running) != (before.iterate, before.track, before.running):
+        if scene.running and self.visibleRegion().isEmpty():
+            return  # nobody looks, and there is more to do
+        if _told(scene) != _told(before):
             self._refresh()
 
-    def set_palette(self, palette: Palette) -> None:
+    def set_palette(self, palette: Palette, _: ColourMap = COLOUR_MAPS[0]) -> None:
         """Draw in the colours of a theme."""
         self._palette = palette
+        dress(self, palette)
         self._refresh()
 
+    def _captions(self) -> tuple[str, ...]:
+        return (
+            self.tr("Sum"),
+            self.tr("Mean"),
+            self.tr("Worst"),
+            self.tr("Failing"),
+            self.tr("Inverted"),
+            self.tr("Given"),
+        )
+
     def _refresh(self) -> None:
-        now, start = self._scene.iterate, _start(self._scene)
-        self._fill(self.before, start)
-        self._fill(self.now, now)
-        self.captions[0].setText(self.tr("Sum") if now is None else self._sum_of(now.quality.metric))
-        for label in (*self.captions, *self.heads, *self.before):
+        self._balance = found = balance(self._scene, self._balance)
+        self._fill(self.before, None if found is None else found.before, found)
+        self._fill(self.now, None if found is None else found.now, found)
+        self.captions[0].setText(self.tr("Sum") if found is None else self._sum_of(found))
+        for label in (*self.captions, *self.heads, *self.before, self.effort):
             coloured(label, self._palette.dim)
-        self.warning.setVisible(now is not None and start is not None and _sacrifices(start, now))
-        coloured(self.warning, self._palette.fail)
-        self.stop.setText(self._reason())
-        self.stop.setVisible(bool(self.stop.text()))
-        coloured(self.stop, self._palette.text)
+        self._say(self.effort, "" if found is None else self._effort_words(found), self._palette.dim)
+        self._say(self.warning, "" if found is None else self._warning_words(found), self._palette.fail)
+        self._say(self.stop, self._reason(), self._palette.text)
 
-    def _sum_of(self, by: Metric) -> str:
-        return self.tr("Sum of {metric}").format(metric=name_of(by))
+    def _sum_of(self, found: Balance) -> str:
+        return self.tr("Weighted") if found.is_weighted else f"Σ {name_of(found.metric)}"
 
-    def _fill(self, labels: list[QLabel], iterate: Iterate | None) -> None:
-        if iterate is None:
-            texts, inverted = [_NONE] * 3, 0
-        else:
-            quality, inverted = iterate.quality, iterate.quality.inverted_count
-            worst = valued(quality.worst, quality.metric)
-            texts = [summed(iterate.objective, quality.metric), worst, counted(inverted)]
+    def _fill(self, labels: list[QLabel], side: Side | None, found: Balance | None) -> None:
+        texts = [_NONE] * len(labels) if side is None or found is None else _texts(side, found)
         for label, text in zip(labels, texts, strict=True):
             label.setText(text)
             coloured(label, self._palette.text)
-        coloured(labels[2], INVERTED if inverted else self._palette.text)
+        is_inverted = side is not None and side.quality.inverted_count > 0
+        coloured(labels[_INVERTED], INVERTED if is_inverted else self._palette.text)
+
+    def _effort_words(self, found: Balance) -> str:
+        if not found.iterations:
+            return ""
+        texts = [self.tr("{count} iterations").format(count=counted(found.iterations))]
+        if found.seconds is not None:
+            texts.append(f"{found.seconds:.2f} s")
+        texts.append(self.tr("moved by up to {length} mm").format(length=f"{found.displacement:.3g}"))
+        return self._run_words(found) + " · ".join(texts)
+
+    def _run_words(self, found: Balance) -> str:
+        if found.optimizer is None:
+            return ""
+        if found.optimizer.key == UNTANGLE:  # by no metric
+            return f"{found.optimizer.title} · "
+        text = self.tr("{optimizer}, by {objective} · ")
+        return text.format(optimizer=found.optimizer.title, objective=objective_name(found.objective))
+
+    def _warning_words(self, found: Balance) -> str:
+        if not found.is_sacrifice:
+            return ""
+        by = found.metric
+        text = self.tr("⚠ The sum is better, but the worst element is worse than before: {before} → {now}.")
+        return text.format(before=valued(found.before.quality.worst, by), now=valued(found.now.quality.worst, by))
 
     def _reason(self) -> str:
         track = self._scene.track
@@ -86,38 +124,51 @@ class Outcome(QWidget):
     def _sentence(self, name: str) -> QLabel:
         label = QLabel()
         label.setWordWrap(True)
+        label.setFont(sized(self.font()))
         label.setAccessibleName(name)
         label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         label.hide()
         return label
 
+    def _say(self, label: QLabel, text: str, colour: str) -> None:
+        label.setText(text)
+        label.setVisible(bool(text))
+        coloured(label, colour)
+
     def _arrange(self) -> None:
-        self.warning.setText(self.tr("⚠ The sum is better, but the worst element is worse than at the start."))
         grid = QGridLayout()
-        grid.setColumnStretch(0, 1)
-        grid.setHorizontalSpacing(2 * self.fontMetrics().averageCharWidth())
-        for column, head in enumerate(self.heads, 1):
-            head.setAlignment(_RIGHT)
-            grid.addWidget(head, 0, column)
-        for row, labels in enumerate(zip(self.captions, self.before, self.now, strict=True), 1):
-            for column, label in enumerate(labels):
+        grid.setVerticalSpacing(self.fontMetrics().height() // 8)
+        for row, head in enumerate(self.heads, 1):
+            grid.addWidget(head, row, 0)
+        self.captions[-1].setToolTip(
+            self.tr("Failing elements that the contour itself makes fail: no node can mend them")
+        )
+        for column, labels in enumerate(zip(self.captions, self.before, self.now, strict=True), 1):
+            labels[0].setAlignment(_RIGHT)
+            labels[0].setFont(sized(self.font(), CAPTION))
+            grid.setColumnStretch(column, 1)
+            for row, label in enumerate(labels):
                 grid.addWidget(label, row, column)
         column_of_all = QVBoxLayout(self)
-        column_of_all.setContentsMargins(0, 0, 0, 0)
         column_of_all.addLayout(grid)
-        column_of_all.addWidget(self.warning)
-        column_of_all.addWidget(self.stop)
+        column_of_all.setSpacing(self.fontMetrics().height() // 3)
+        for sentence in (self.warning, self.effort, self.stop):
+            column_of_all.addWidget(sentence)
+        column_of_all.addStretch()
 
 
-def _start(scene: Scene) -> Iterate | None:
-    """The first iterate of the track that was judged by the objective of the shown one."""
-    if scene.track is None or scene.iterate is None:
-        return None
-    metric = scene.iterate.quality.metric
-    return next(iterate for iterate in scene.track.iterates if iterate.quality.metric is metric)
+def _texts(side: Side, found: Balance) -> list[str]:
+    by, quality = found.metric, side.quality
+    return [
+        summed(side.objective, None if found.is_weighted else by),
+        valued(quality.mean, by),
+        valued(quality.worst, by),
+        counted(quality.failing_count),
+        counted(quality.inverted_count),
+        counted(side.given_count),
+    ]
 
 
-def _sacrifices(start: Iterate, now: Iterate) -> bool:
-    """Whether the sum has become better and the worst element worse."""
-    by = now.quality.metric
-    return by.is_worse(start.objective, now.objective) and by.is_worse(now.quality.worst, start.quality.worst)
+def _told(scene: Scene) -> tuple[object, ...]:
+    """All of a scene that is told."""
+    return scene.iterate, scene.track, scene.running, scene.view.bands
