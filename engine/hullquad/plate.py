@@ -244,19 +244,20 @@ class Plate:
 
         return np.array([shapely.LineString([line.a, line.b]) for line in self.lines], dtype=object)
 
-    def place_of(self, error: HullquadError) -> Floats:
-        """Where on the plate an error is.
+    def place_of(self, finding: HullquadError | Notice) -> Floats:
+        """Where on the plate an error is, or what is worth a notice.
 
         Returns
         -------
         (N, 3) float array
-            A point [mm] where the error quotes one, else the loop, edge, stiffener or seam that its place names, as a
-            polyline; none where it is of the whole plate, or the plate is curved.
+            A point [mm] where the finding quotes one, else the loop, edge, stiffener or seam that its place names, as
+            a polyline; none where it is of the whole plate, or the plate is curved.
         """
         if not isinstance(self.surface, Plane):
             return floats(np.empty((0, 3)))
-        is_point = {"u", "v"} <= error.numbers.keys()
-        quoted = [[error.numbers["u"], error.numbers["v"]]] if is_point else self._named(error.place)
+        is_point = {"u", "v"} <= finding.numbers.keys()
+        named = finding.numbers.get("where", finding.place)  # an edge that would help says more than the whole plate
+        quoted = [[finding.numbers["u"], finding.numbers["v"]]] if is_point else self._named(named)
         return floats(self.surface.points(floats(quoted)))
 
     def _named(self, place: str) -> Floats:

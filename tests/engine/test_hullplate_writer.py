@@ -163,6 +163,13 @@ def test_an_edit_is_in_the_file(tmp_path):
     assert bits(read_plates(tmp_path / "edited.json")) == bits(edited) != bits(before)
 
 
+def test_an_edited_document_is_signed_as_its_file_will_be(tmp_path):
+    before = read_plates(PLATES[-1])
+    edited = hullplate.signed(redivided(before, before.plates[0].id, 0, 1, 9))
+    write_plates(edited, tmp_path / "edited.json")
+    assert read_plates(tmp_path / "edited.json").input_hash == edited.input_hash != before.input_hash
+
+
 def test_a_failed_write_leaves_the_old_file(tmp_path, monkeypatch):
     file = tmp_path / "plates.json"
     file.write_text("precious", encoding="utf-8")

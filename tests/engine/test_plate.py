@@ -7,6 +7,7 @@ import pytest
 
 from hullquad.errors import PlateError
 from hullquad.formats import read_plates
+from hullquad.plate import Notice
 
 PLATES = Path(__file__).parents[2] / "assets" / "plates"
 
@@ -50,6 +51,12 @@ def test_an_error_of_a_line_is_along_it(plate):
 @pytest.mark.parametrize("below", ["", "/thickness"])
 def test_an_error_of_the_whole_plate_is_nowhere(plate, below):
     assert where(plate, plate.place + below).shape == (0, 3)
+
+
+def test_a_notice_is_where_its_remedy_is(plate):
+    edge = plate.outer.curves[2]
+    notice = Notice("W_ODD", plate.place, "edge", {"where": plate.outer.edge_place(2)})
+    np.testing.assert_allclose(plate.place_of(notice)[[0, -1]], in_space(plate, [edge.start, edge.end]))
 
 
 def test_an_error_of_a_curved_plate_is_nowhere():

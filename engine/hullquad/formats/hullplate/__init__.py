@@ -19,14 +19,14 @@ from hullquad.formats.hullplate.plate_entry import is_id
 from hullquad.formats.hullplate.plate_entry import plate as plate_of
 from hullquad.formats.hullplate.scales import ANGLES, LENGTHS
 from hullquad.formats.hullplate.scales import density as density_scale
-from hullquad.formats.hullplate.writer import VERSION, write
+from hullquad.formats.hullplate.writer import VERSION, signed, write
 from hullquad.formats.source import content
 from hullquad.plate import Document, Material, Notice, Plate, Refusal
 from hullquad.triangulation.concerns import concerns_of, gap_concerns, size_concerns
 from hullquad.triangulation.contour import attempts
 from hullquad.triangulation.neighbours import neighbours
 
-__all__ = ["read", "survey", "write"]
+__all__ = ["concerns", "read", "signed", "survey", "write"]
 
 Finding = TypeVar("Finding", PlateError, Notice)
 

@@ -1,5 +1,6 @@
 """Plate documents written: what is read again is the same, bit for bit."""
 
+import hashlib
 import json
 from collections.abc import Iterable, Mapping
 from pathlib import Path
@@ -30,7 +31,16 @@ def write(document: Document, path: Path) -> None:
     FileError
         It cannot be written; an existing file is as it was.
     """
-    atomic.write(path, (_text(described(document)) + "\n").encode("utf-8"))
+    atomic.write(path, _content(document))
+
+
+def signed(document: Document) -> Document:
+    """The document with the hash of the file that it is written to: of one that is not as any file has it."""
+    return attrs.evolve(document, input_hash=hashlib.sha256(_content(document)).hexdigest())
+
+
+def _content(document: Document) -> bytes:
+    return (_text(described(document)) + "\n").encode("utf-8")
 
 
 def described(document: Document) -> dict[str, Any]:
