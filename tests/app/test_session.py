@@ -314,14 +314,14 @@ def test_another_objective_than_the_shown_metric_is_optimised(session, show, end
 
 def test_a_run_that_can_do_nothing_says_why_and_leaves_the_document(session, said, ended, open_, qtbot):
     open_(BLOCK)
-    session.choose_plate("F0")
+    session.choose_plate("G2")
     with qtbot.waitSignal(session.idle):
         session.mesh(5000.0)
     meshed = session.document.scene.state
     ended(session.run)
     assert said == ["every node is given by the plate. A smaller element size gives nodes that can be moved."]
     assert session.document.scene.state is meshed
-    assert labels(session) == ["Mesh F0 (5000 mm)"]
+    assert labels(session) == ["Mesh G2 (5000 mm)"]
 
 
 def test_selection_extends_and_takes_back(session, show):
@@ -418,6 +418,7 @@ def test_whatever_is_done_can_be_undone(session, show, ended, qtbot, seed):
     opened = show()
     acts = [
         *(session.step, session.run, session.run, session.pause, session.undo, session.redo, session.reset),
+        *(lambda key=key: session.set_search(Search(optimizer=key)) for key in ("default", "paper")),
         *(lambda key=key: session.choose_metric(key) for key in ("stretch", "min_angle")),
         *(lambda: session.scrub(chance.randrange(60)), lambda: session.scrub_by(chance.choice([-3, 3]))),
         *(lambda: session.select([chance.randrange(20)]), lambda: session.judging.set_limit(0, chance.random())),
@@ -466,3 +467,37 @@ def test_a_pause_forgets_the_steps_to_come(session, show, ended):
     for _ in range(3):
         session.step()
     assert ended(session.pause).iterate.number <= 1
+
+
+def test_a_chase_needs_rules(session, show, said, ended):
+    show()
+    session.set_search(Search(optimizer="rules"))
+    ended(session.run)
+    assert said == ["Which rules are to be met? Choose a rule set to judge by first."]
+    session.judging.judge_by("bv")
+    scene = ended(session.run)
+    assert labels(session)[0].startswith(f"Optimize violations of {scene.view.rules.title}: ")
+
+
+def test_folded_elements_are_opened_whatever_optimiser_is_chosen(session, show, ended):
+    mesh = show().mesh
+    assert not session.abilities.can_untangle
+    parameters = mesh.parameters.copy()
+    parameters[np.flatnonzero(mesh.topology.is_free)[5]] += 2 * mesh.target_size
+    folded = mesh.with_parameters(parameters)
+    session.document.open(State(tracks={"H": Track((unmoved(folded, metric("stretch")),))}))
+    assert session.abilities.can_untangle
+    count = session.document.scene.quality.inverted_count
+    assert ended(session.untangle).quality.inverted_count == 0
+    assert labels(session) == [f"Optimize inverted elements: {count} → 0"]
+    assert not session.abilities.can_untangle
+    session.undo()
+    assert np.array_equal(points(session), folded.points)
+
+
+def test_only_selected_elements_are_optimised(session, show, ended):
+    mesh = show().mesh
+    session.set_search(Search(is_local=True, rings=0))
+    session.select([40])
+    moved = (ended(session.run).mesh.points != mesh.points).any(axis=1)
+    assert set(np.flatnonzero(moved)) <= set(mesh.topology.elements[40].tolist())

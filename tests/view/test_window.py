@@ -12,8 +12,9 @@ from PySide6.QtGui import QDropEvent, QGuiApplication, QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QMessageBox
 
-from hullquad.formats import read_mesh
+from hullquad.formats import read_mesh, write_mesh
 from hullquad.metrics import METRICS
+from hullquad.optimization.settings import PaperSettings
 from hullquad_app.canvas.picker import corners
 from hullquad_app.colours import Theme, element_colours
 from hullquad_app.faults import Faults
@@ -21,6 +22,7 @@ from hullquad_app.level_colours import level_colours
 from hullquad_app.limits import limit_words
 from hullquad_app.panels.figures import valued
 from hullquad_app.scene import State
+from hullquad_app.search import Search
 from hullquad_app.session import Session
 from hullquad_app.settings import Settings
 from hullquad_app.theme_menu import ThemeMenu
@@ -86,6 +88,8 @@ def window(kept_window):
     session.document.open(State())
     session.document.look(bands={}, rules=None)
     session.choose_metric("stretch")
+    session.set_search(Search())
+    kept_window.docks.search.show_settings(PaperSettings(), None, Search())
     kept_window.apply_theme(Theme.LIGHT)
     kept_window.messages.hide()
     kept_window.activateWindow()
@@ -566,3 +570,91 @@ def test_rules_of_the_user_are_read_and_offered_again(meshed, tmp_path, monkeypa
     assert scene(meshed).view.rules.title == "Our yard"
     meshed.choices.rules.complete()
     assert meshed.choices.rules.currentText() == "ours"
+
+
+def choose_optimizer(window, key):
+    """Choose an optimiser by the keyboard; the panel comes up with a key of its own."""
+    press(window, KEY.Key_O)
+    box = window.docks.search.optimizer
+    assert QApplication.focusWidget() is box
+    press(box, KEY.Key_Home)
+    while box.currentData() != key:
+        press(box, KEY.Key_Down)
+
+
+def is_in_front(panel):
+    return not panel.visibleRegion().isEmpty()
+
+
+def test_the_worst_element_is_raised_undone_and_redone(meshed, qtbot):
+    made = scene(meshed)
+    choose_optimizer(meshed, "worst")
+    press(meshed, KEY.Key_O)
+    qtbot.waitUntil(lambda: is_in_front(meshed.docks.objective), timeout=5000)
+    press(meshed, KEY.Key_R)
+    qtbot.waitUntil(lambda: scene(meshed).iterate.number > 0 and not scene(meshed).running, timeout=60_000)
+    ended = scene(meshed)
+    assert ended.quality.worst > made.quality.worst
+    assert "worst first" in {iterate.stage for iterate in ended.track.iterates}
+    qtbot.waitUntil(lambda: is_in_front(meshed.docks.outcome), timeout=5000)
+    assert meshed.docks.outcome.now[2].text() == valued(ended.quality.worst, ended.quality.metric)
+    row = next(row for row, iterate in enumerate(ended.track.iterates) if iterate.stage == "worst first")
+    meshed.history.slider.setValue(row)
+    assert meshed.history.stage.text() == "worst first"
+    assert "worst first" in meshed.status.course.text()
+    meshed.history.slider.setValue(ended.position)
+    assert meshed.session.document.edits.undoText().startswith("Optimize worst stretch: ")
+    press(meshed, KEY.Key_Z, CONTROL)
+    assert scene(meshed).mesh is made.mesh
+    press(meshed, KEY.Key_Y, CONTROL)
+    assert scene(meshed).mesh is ended.mesh
+    np.testing.assert_allclose(points(meshed), ended.mesh.points, rtol=1e-6)
+
+
+def test_violations_are_chased_by_the_rules_that_are_chosen_in_the_panel(meshed, qtbot):
+    choose_optimizer(meshed, "rules")
+    press(meshed, KEY.Key_R)
+    qtbot.waitUntil(meshed.messages.isVisible, timeout=5000)
+    box = meshed.docks.search.options.rules
+    box.complete()
+    box.setFocus()
+    while scene(meshed).view.rules is None or scene(meshed).view.rules.key != "csr_fine":
+        press(box, KEY.Key_Down)
+    assert meshed.choices.rules.currentData() == "csr_fine"
+    before = len(np.flatnonzero(scene(meshed).assessment.levels))
+    press(meshed, KEY.Key_R)
+    qtbot.waitUntil(lambda: scene(meshed).iterate.number > 0 and not scene(meshed).running, timeout=60_000)
+    assert len(np.flatnonzero(scene(meshed).assessment.levels)) <= before
+
+
+def test_a_folded_mesh_is_opened_by_the_bar_above_the_view(meshed, qtbot, tmp_path):
+    mesh = scene(meshed).mesh
+    parameters = mesh.parameters.copy()
+    parameters[np.flatnonzero(mesh.topology.is_free)[4]] += 1.2 * mesh.target_size
+    write_mesh(mesh.with_parameters(parameters), tmp_path / "folded.vtu")
+    meshed.session.document.edits.setClean()
+    meshed.filing.open(tmp_path / "folded.vtu")
+    qtbot.waitUntil(meshed.folds.isVisible, timeout=20_000)
+    QTest.mouseClick(meshed.folds.button, LEFT)
+    qtbot.waitUntil(lambda: scene(meshed).iterate.number > 0 and not scene(meshed).running, timeout=60_000)
+    assert scene(meshed).quality.inverted_count == 0
+    assert not meshed.folds.isVisible()
+    press(meshed, KEY.Key_Z, CONTROL)
+    assert scene(meshed).quality.inverted_count > 0
+    assert meshed.folds.isVisible()
+    press(meshed, KEY.Key_U)
+    qtbot.waitUntil(lambda: scene(meshed).iterate.number > 0 and not scene(meshed).running, timeout=60_000)
+    assert scene(meshed).quality.inverted_count == 0
+
+
+def test_only_what_is_selected_in_the_view_is_optimised(meshed, qtbot):
+    before = scene(meshed).mesh
+    meshed.session.select({scene(meshed).quality.worst_first[0]})
+    press(meshed, KEY.Key_O)
+    local = meshed.docks.search.local
+    local.only.setFocus()
+    press(local.only, KEY.Key_Space)
+    may_move = int(local.extent.text().split()[0])
+    press(meshed, KEY.Key_R)
+    qtbot.waitUntil(lambda: scene(meshed).iterate.number > 0 and not scene(meshed).running, timeout=60_000)
+    assert 0 < (scene(meshed).mesh.points != before.points).any(axis=1).sum() <= may_move
