@@ -10,8 +10,11 @@ from hullquad_app.plan import UNTANGLE, Plan
 
 
 def run_label(plan: Plan, first: Iterate, last: Iterate, *, is_step: bool) -> str:
-    """What was done, and what came of it: ``Optimize stretch: 16.65 → 17.94``."""
+    """What was done, to how many nodes if not to all, what came of it: ``Optimize stretch: 16.65 → 17.94``."""
     what, before, after = _figures(plan, first, last)
+    if (chosen := plan.chosen(first.mesh)) is not None:
+        count = counted(int((chosen & first.mesh.topology.is_free).sum()))
+        what = _tr("{what} ({count} nodes)").format(what=what, count=count)
     text = _tr("Step {what}: {before} → {after}") if is_step else _tr("Optimize {what}: {before} → {after}")
     return text.format(what=what, before=before, after=after)
 

@@ -139,6 +139,8 @@ def test_only_what_is_selected_and_near_it_moves(act, document, dented, count):
     has_moved = (scene.mesh.points != dented.points).any(axis=1)
     assert has_moved.any()
     assert not (has_moved & ~may_move).any()
+    free = int((may_move & dented.topology.is_free).sum())
+    assert document.edits.undoText().startswith(f"Optimize stretch ({free} nodes): ")
     assert same(scene.iterate, outcome(script(dented, "default", chosen=may_move)).best)
 
 

@@ -1,5 +1,6 @@
 """The slider by which every iterate can be shown again."""
 
+import attrs
 import pytest
 from PySide6.QtCore import QPoint, Qt
 
@@ -100,3 +101,17 @@ def test_the_best_iterate_is_marked(bar, walked):
 
 def test_every_control_has_an_accessible_name(bar):
     assert bar.slider.accessibleName()
+
+
+def test_the_stage_of_the_shown_iterate_is_named_in_a_place_of_one_width(bar, walked):
+    bar.show_scene(scene(walked, 5))
+    assert not bar.stage.isVisible()
+    iterates = tuple(
+        attrs.evolve(iterate, stage="even out" if iterate.number < 6 else "fewest violations")
+        for iterate in walked.iterates
+    )
+    bar.show_scene(scene(Track(iterates), 5))
+    width = bar.stage.width()
+    assert bar.stage.text() == "even out"
+    bar.show_scene(scene(Track(iterates), 6))
+    assert (bar.stage.text(), bar.stage.width()) == ("fewest violations", width)

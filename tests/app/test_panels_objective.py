@@ -10,10 +10,13 @@ from PySide6.QtGui import QHelpEvent
 from PySide6.QtWidgets import QApplication, QToolTip
 
 from hullquad.metrics import metric
-from hullquad.optimization.paper import paper_iterates
+from hullquad.optimization.objective import objective
+from hullquad.optimization.paper import paper_iterates, unmoved
+from hullquad.optimizers import iterates
 from hullquad_app.colours import DARK
 from hullquad_app.panels.course import course, thinned
 from hullquad_app.panels.objective import ObjectivePanel
+from hullquad_app.passage import Passage
 from hullquad_app.scene import Scene
 from hullquad_app.track import Track
 
@@ -130,3 +133,40 @@ def test_a_long_line_keeps_its_peaks_and_ends():
 
 def test_a_short_line_keeps_every_point():
     assert thinned(np.arange(5.0), np.zeros(5)).tolist() == [0, 1, 2, 3, 4]
+
+
+@pytest.fixture
+def staged(dented):
+    """A run with stages, then one by two metrics."""
+    track = Track((unmoved(dented, metric("stretch")),)).with_run(iterates("default", dented, objective("stretch")))
+    start, both = track.last.number, objective("stretch,shape")
+    track = track.with_run(iterates("worst", track.last.mesh, both))
+    passage = Passage(start=start, optimizer="worst", objective=both, seconds=1.0)
+    return track.with_passage(passage)
+
+
+def test_the_stages_of_every_run_are_marked(panel, staged):
+    stages = [stage.words for stage in course(staged).stages]
+    assert stages[:2] == ["even out", "p = 4"]
+    assert "worst first" in stages
+    starts = [stage.start for stage in course(staged).stages]
+    assert all(staged.iterates[row].stage != staged.iterates[row - 1].stage for row in starts)
+    panel.show_scene(scene(staged))
+    marked = panel.grab().toImage()
+    bare = Track(tuple(attrs.evolve(iterate, stage="") for iterate in staged.iterates), staged.passages)
+    panel.show_scene(scene(bare))
+    assert panel.grab().toImage() != marked
+
+
+def test_the_stage_is_told_with_the_numbers(panel, staged):
+    row = next(row for row, iterate in enumerate(staged.iterates) if iterate.stage == "p = 4")
+    panel.show_scene(scene(staged, row))
+    assert panel.accessibleDescription().endswith(", p = 4")
+
+
+def test_a_weighted_objective_is_compared_with_nothing_else(panel, staged):
+    rows = course(staged)
+    assert [part.weighted is not None for part in rows.parts] == [False, True]
+    assert not rows.alike(rows.parts[0])[-1]
+    panel.show_scene(scene(staged))
+    assert ": stretch + shape " in panel.accessibleDescription()

@@ -7,9 +7,11 @@ import pytest
 from hullquad.metrics import metric
 from hullquad.optimization import stops
 from hullquad.optimization.iterate import Iterate
+from hullquad.optimization.objective import objective
 from hullquad.optimization.paper import objective_sum
 from hullquad.quality import quality
 from hullquad_app.colours import DARK
+from hullquad_app.passage import Passage
 from hullquad_app.scene import Scene, View
 from hullquad_app.status import StatusBar
 from hullquad_app.track import Track
@@ -118,3 +120,22 @@ def test_a_metric_without_a_sum_tells_that_of_its_objective(bar, walked):
     shape = objective_sum(walked.last.mesh, metric("shape"))
     assert bar.objective.text().startswith(f"Σ shape {shape:.3f}")
     assert bar.warning.text() == ""
+
+
+def test_the_stage_is_told_while_a_run_goes_on_and_when_scrubbed(bar, walked):
+    staged = Track(tuple(attrs.evolve(iterate, stage="worst first") for iterate in walked.iterates))
+    bar.show_scene(scene(staged, running=True))
+    assert bar.course.text() == "running · worst first"
+    bar.show_scene(scene(staged, 3))
+    assert bar.course.text() == "iterate 3 of 12 shown · worst first"
+
+
+def test_a_weighted_objective_is_told_apart_from_the_sum(bar, walked):
+    both = objective("stretch=2,shape")
+    weighted = attrs.evolve(walked.last, objective=both.total(walked.last.mesh))
+    passage = Passage(start=0, optimizer="default", objective=both, seconds=1.0)
+    track = Track((*walked.iterates[:-1], weighted)).with_passage(passage)
+    bar.show_scene(scene(track))
+    plain = f"Σ stretch {walked.last.objective:.3f}"
+    other = f"optimised by 2 stretch + shape: {weighted.objective:.3f}"
+    assert bar.objective.text() == f"{plain} · {other} · lengths in mm"

@@ -23,6 +23,7 @@ from hullquad.mesh import Mesh
 from hullquad.metrics import metric
 from hullquad.optimization.paper import PaperSettings, unmoved
 from hullquad_app.scene import State
+from hullquad_app.search import Search
 from hullquad_app.session import Session
 from hullquad_app.settings import Settings
 from hullquad_app.track import Track
@@ -66,6 +67,7 @@ def window(qapp, tmp_path):
 @pytest.mark.parametrize("quads", SIZES)
 def test_watching_a_run(window, shaken_grid, quads, capsys):
     session, gaps = window.session, []
+    session.set_search(Search(optimizer="paper"))
     session.set_paper(PaperSettings(iterations=10**6, tolerance=0.0))
     mesh = shaken_grid(quads)
     session.document.open(State(title="grid", tracks={"grid": Track((unmoved(mesh, metric("stretch")),))}))
