@@ -166,34 +166,62 @@ def improved(iterates: Iterable[Iterate], watch: Callable[[Iterate], None] = lam
 
 
 def prepare() -> None:
-    """Load every compiled kernel, compiling it first where none is on disk: milliseconds, or seconds once.
+    """Load every compiled kernel, compiling it first where none is on disk: milliseconds, or seconds once."""
+    prepare_judging()
+    prepare_meshing()
+    prepare_optimizing()
 
-    A plate of three triangles goes the whole way, so that each kernel is met as it is in earnest.
-    """
-    from hullquad.metrics import metric  # noqa: PLC0415  all of these bring Numba
-    from hullquad.metrics.values import smooth_gradients  # noqa: PLC0415
-    from hullquad.optimization.paper import PaperSettings, paper_iterates  # noqa: PLC0415
-    from hullquad.quads.augment import augment  # noqa: PLC0415
-    from hullquad.quads.join import elements, joins  # noqa: PLC0415
+
+def prepare_judging() -> None:
+    """Load what judging needs."""
+    from hullquad.metrics import metric  # noqa: PLC0415
+    from hullquad.quality import quality  # noqa: PLC0415
+
+    quality(_little_mesh(), metric("shape"))
+
+
+def prepare_meshing() -> None:
+    """Load what both meshers need: three triangles go the paper's whole way."""
+    from hullquad.quads.augment import augment  # noqa: PLC0415  all of these bring Numba
+    from hullquad.quads.join import joins  # noqa: PLC0415
     from hullquad.quads.pairs import pairs  # noqa: PLC0415
     from hullquad.quads.preparation import prepare_kernels  # noqa: PLC0415
 
     prepare_kernels()
-    ground = Plane([0, 0, 0], [1, 0, 0], [0, 1, 0])
-    nodes = np.array([[0, 0], [2, 0], [2, 1], [1, 1], [0, 1]], dtype=float)
-    triangles = np.array([[0, 1, 3], [1, 2, 3], [0, 3, 4]], dtype=np.int32)
-    points = ground.points(nodes)
-    possible = pairs(points, triangles, ground.normal[None])
+    mesh = _little_mesh()
+    triangles = np.array([[0, 1, 3], [1, 4, 3], [0, 3, 6]], dtype=np.int32)
+    possible = pairs(mesh.points, triangles, mesh.normals)
+    joins(possible)
     list(augment(possible, set()))
-    mesh = Mesh(
-        points=points,
-        topology=topology(elements(possible, joins(possible)), np.zeros(len(nodes), dtype=np.int8)),
+
+
+def prepare_optimizing() -> None:
+    """Load what the paper's method and all others need."""
+    from hullquad.metrics import metric  # noqa: PLC0415  all of these bring Numba
+    from hullquad.optimization.modes import default_iterates  # noqa: PLC0415
+    from hullquad.optimization.objective import Objective, Term  # noqa: PLC0415
+    from hullquad.optimization.paper import paper_iterates  # noqa: PLC0415
+    from hullquad.optimization.settings import PaperSettings, SearchSettings  # noqa: PLC0415
+
+    mesh, stretch = _little_mesh(), metric("stretch")
+    list(paper_iterates(mesh, stretch, PaperSettings(iterations=1)))
+    list(default_iterates(mesh, Objective((Term(stretch),)), SearchSettings(iterations=3)))
+
+
+def _little_mesh() -> Mesh:
+    """Two quads and a triangle around one free node."""
+    ground = Plane([0, 0, 0], [1, 0, 0], [0, 1, 0])
+    nodes = np.array([[0, 0], [1, 0], [2, 0], [1.1, 0.9], [2, 1], [1, 2], [0, 1]], dtype=float)
+    elements = np.array([[0, 1, 3, 6], [1, 2, 4, 3], [3, 4, 5, -1], [3, 5, 6, -1]], dtype=np.int32)
+    states = np.full(len(nodes), NodeState.CONTOUR, dtype=np.int8)
+    states[3] = NodeState.FREE
+    return Mesh(
+        points=ground.points(nodes),
+        topology=topology(elements, states),
         target_size=1.0,
         surface=ground,
         parameters=nodes,
     )
-    list(paper_iterates(mesh, metric("stretch"), PaperSettings(iterations=1)))
-    smooth_gradients(metric("shape"), 4.0, mesh.points, mesh.topology.quads, mesh.normals)
 
 
 def _states(contour: Contour, nodes: int) -> Bytes:

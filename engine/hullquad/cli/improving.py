@@ -62,7 +62,7 @@ def optimize_mesh(options: Namespace) -> bool:
             raise error.at(str(options.input)) from error
         mesh = given  # its own facets are its surface
     clock = _clock()
-    load(clock)
+    load(clock, pipeline.prepare_judging, pipeline.prepare_optimizing)
     with clock.running("optimize"):
         run = _improved(mesh, options)
     figures = _written(run if given.surface is mesh.surface else _bare(run), options.output, options, clock)
@@ -77,7 +77,7 @@ def _results(
     """Figures of the plates that could be meshed; of the others it is told why not."""
     clock = _clock()
     if any(isinstance(contours.get(plate.id), Contour) for plate in plates):
-        load(clock)
+        load(clock, pipeline.prepare)
     results: list[dict[str, Any]] = []
     for plate in plates:
         output = options.output if is_alone else _beside(options.output, plate)

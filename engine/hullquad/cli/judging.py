@@ -23,6 +23,7 @@ from hullquad.mesh import Mesh
 from hullquad.metrics import METRICS
 from hullquad.metrics.row import MILLIMETRES
 from hullquad.metrics.table import TABLE_1
+from hullquad.pipeline import prepare_judging
 from hullquad.quality import quality
 from hullquad.rules import Level, RuleSet, assess, rule_set
 
@@ -44,7 +45,7 @@ def judge_mesh(options: Namespace) -> int:
     rules = None if options.rules is None else rule_set(options.rules)
     mesh = read_mesh(options.input)
     clock = Clock("import", "prepare", "judge")
-    load(clock)
+    load(clock, prepare_judging)
     with clock.running("judge"):
         mesh = attrs.evolve(mesh, reference_areas=mesh.areas)  # worked out once, not for each metric
         verdict, figures = _by_metrics(mesh)

@@ -1,12 +1,13 @@
 """What every command loads before it works."""
 
-from hullquad import pipeline
+from collections.abc import Callable
+
 from hullquad.cli.clock import Clock
 from hullquad.cli.interrupt import ending_at_once
 
 
-def load(clock: Clock) -> None:
-    """Have the compiled kernels ready, so that their loading is not counted as work.
+def load(clock: Clock, *prepare: Callable[[], None]) -> None:
+    """Have the compiled kernels of some work ready, so that their loading is not counted as work.
 
     Nothing is written meanwhile, and Ctrl+C ends it at once: the compiler's callbacks would swallow it.
     """
@@ -14,4 +15,5 @@ def load(clock: Clock) -> None:
         with clock.running("import"):
             import numba  # noqa: F401, PLC0415
         with clock.running("prepare"):
-            pipeline.prepare()
+            for part in prepare:
+                part()
