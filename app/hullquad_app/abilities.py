@@ -24,6 +24,7 @@ class Abilities:
     can_cancel: bool = False
     """Opening or meshing."""
     can_save: bool = False
+    can_save_plates: bool = False
     can_picture: bool = False
     """A mesh is shown: there is something to judge, select and picture."""
     can_undo: bool = False
@@ -47,6 +48,7 @@ def abilities(document: Document, jobs: Jobs) -> Abilities:
         can_mesh_all=plates is not None and len(plates.plates) > 1 and not is_meshing and not is_opening,
         can_cancel=is_meshing or is_opening,
         can_save=bool(scene.state.tracks) and not jobs.saving.is_running,
+        can_save_plates=plates is not None and not jobs.saving.is_running,
         can_picture=has_mesh,
         can_undo=scene.running or document.edits.canUndo(),
         can_redo=not scene.running and document.edits.canRedo(),

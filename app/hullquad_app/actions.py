@@ -57,6 +57,7 @@ def _tr(text: str) -> str:
 ROWS = (
     Row(FILE, _tr("&Open…"), _tr("Open plates or a mesh"), "filing.choose_file", "Ctrl+O", "open"),
     Row(FILE, _tr("&Save mesh…"), _tr("Save the mesh as it is shown"), "filing.choose_output", "Ctrl+S", "save", "can_save"),
+    Row(FILE, _tr("Save p&lates as…"), _tr("Save the plates, with the divisions of their edges"), "filing.choose_plates_output", "Ctrl+Alt+S", "", "can_save_plates"),
     Row(FILE, _tr("Save &picture…"), _tr("Picture of the plate for a report"), "filing.choose_picture", "Ctrl+Shift+S", "picture", "can_picture", short=_tr("Picture")),
     Row(FILE, _tr("&Copy picture"), _tr("Put the picture on the clipboard"), "filing.copy_picture", "Ctrl+Shift+C", "", "can_picture"),
     Row(FILE, _tr("&Quit"), _tr("Close the window and end the program"), "window.close", "Ctrl+Q"),

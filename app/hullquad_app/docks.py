@@ -97,7 +97,7 @@ class Docks(QObject):
             self._docks["worst" if scene.view.rules is None else "rules"].raise_()
         if scene.state.keys != before.state.keys:
             self._docks["plates"].setVisible(len(scene.state.keys) > 1)
-        if (scene.mesh is None) != (before.mesh is None) or scene.state.plates is not before.state.plates:
+        if (scene.mesh is None) != (before.mesh is None) or _source(scene) != _source(before):
             self._docks["meshing" if scene.mesh is None and scene.plate is not None else "worst"].raise_()
             self._docks["objective"].raise_()
 
@@ -179,6 +179,9 @@ class Docks(QObject):
     def _connect_meshing(self, session: Session) -> None:
         self.meshing.size_chosen.connect(session.divide)
         self.meshing.requested.connect(lambda size, all_plates: session.mesh(size, all_plates=all_plates))
+        self.meshing.remedy_wanted.connect(session.redivide)
+        self.meshing.mesher.changed.connect(session.set_mesher)
+        self.meshing.mesher.show_mesher(session.settings.mesher)
         self.meshing.cancelled.connect(session.cancel)
         session.divided.connect(self.meshing.show_division)
         session.able.connect(self.meshing.show_abilities)
@@ -198,6 +201,11 @@ class Docks(QObject):
         dock.setObjectName(name)
         dock.setWidget(_scrolled(panel) if panel in (self.search, self.meshing, self.outcome) else panel)
         return dock
+
+
+def _source(scene: Scene) -> tuple[object, ...]:
+    """What a scene was opened from."""
+    return scene.state.path, scene.state.title
 
 
 def _is_in_front(panel: QWidget) -> bool:

@@ -56,6 +56,17 @@ class Filing(QObject):
             self._session.save(path)
         return path is not None
 
+    def choose_plates_output(self) -> bool:
+        """Ask for a file and save the plates; whether one was given."""
+        from hullquad.formats import FORMATS  # noqa: PLC0415
+
+        kinds = ";;".join(f"{kind.title} (*{kind.suffix})" for kind in FORMATS if kind.write_plates)
+        self._stay()
+        path = self._output(self.tr("Save plates"), ".json", kinds, lambda file: [file])
+        if path is not None:
+            self._session.save_plates(path)
+        return path is not None
+
     def choose_picture(self) -> None:
         """Ask for a file and save a picture of the plate as it is shown."""
         path = self._output(self.tr("Save picture"), ".png", self.tr("Pictures (*.png)"), lambda file: [file])
@@ -67,32 +78,43 @@ class Filing(QObject):
         self._picture(lambda: _pictures().to_clipboard(self._session.document.scene, scale=self.picture_menu.scale))
 
     def leave(self, go: Callable[[], object]) -> None:
-        """Go, once the changes that were not saved are saved or given up; or stay."""
+        """Go, once the changes of plates and meshes that were not saved are saved or given up; or stay."""
+        if not self._session.has_unsaved_plates:
+            self._leave_meshes(go)
+            return
+        text = self.tr("The plates of {title} were edited and not saved. Save them first?")
+        answer = self._answer(text, _BUTTONS.Save | _BUTTONS.Discard | _BUTTONS.Cancel, _BUTTONS.Save)
+        if answer == _BUTTONS.Discard and self._session.has_unsaved_meshes:
+            self._leave_meshes(go)
+        elif answer == _BUTTONS.Discard:
+            go()
+        elif answer == _BUTTONS.Save and self.choose_plates_output():
+            self._go = lambda: self.leave(go)
+
+    def _leave_meshes(self, go: Callable[[], object]) -> None:
         if not self._session.is_modified:
             go()
             return
-        title = self._session.document.scene.state.title
         text = self.tr("{title} has changes that were not saved. Save the mesh first?")
         buttons, proposed = _BUTTONS.Save | _BUTTONS.Discard | _BUTTONS.Cancel, _BUTTONS.Save
         if not self._session.document.scene.state.tracks:
             text = self.tr("{title} has changes that will be lost, and no mesh that could be saved. Go on?")
             buttons, proposed = _BUTTONS.Discard | _BUTTONS.Cancel, _BUTTONS.Cancel
-        answer = QMessageBox.question(self._window, self.tr("HullQuad"), text.format(title=title), buttons, proposed)
+        answer = self._answer(text, buttons, proposed)
         if answer == _BUTTONS.Discard:
             go()
-        elif answer == _BUTTONS.Save:
-            self._save_then(go)
+        elif answer == _BUTTONS.Save and self.choose_output():
+            self._go = lambda: self._leave_meshes(go)
 
-    def _save_then(self, go: Callable[[], object]) -> None:
-        """Go when the mesh is written; a save that fails is told, and nobody goes."""
-        if self.choose_output():
-            self._go = go
+    def _answer(self, text: str, buttons: QMessageBox.StandardButton, proposed: QMessageBox.StandardButton) -> int:
+        question = text.format(title=self._session.document.scene.state.title)
+        return QMessageBox.question(self._window, self.tr("HullQuad"), question, buttons, proposed)
 
     def _go_on(self) -> None:
-        """Go where somebody wanted to; what was changed while the files were written is asked for again."""
+        """Go where somebody wanted to when the files are written; what was changed meanwhile is asked for again."""
         go, self._go = self._go, None
         if go is not None:
-            self.leave(go)
+            go()
 
     def _stay(self) -> None:
         self._go = None

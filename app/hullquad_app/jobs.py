@@ -4,6 +4,7 @@ import threading
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
@@ -13,9 +14,14 @@ from hullquad.mesh import Mesh
 from hullquad.metrics import Metric
 from hullquad.plate import Document
 from hullquad_app import work
+from hullquad_app.division import Attempt, Size
 from hullquad_app.mailbox import Mailbox
+from hullquad_app.mesher import Mesher
 from hullquad_app.scene import State
-from hullquad_app.work import Attempt, Progress, Size, Work
+from hullquad_app.work import Progress, Work
+
+if TYPE_CHECKING:
+    from hullquad.triangulation.remedies import Remedy
 
 WAIT = 30
 """Time between two looks at a job [ms]."""
@@ -128,12 +134,14 @@ class Jobs(QObject):
         self.opening = Job(self, self._cancel_worker)
         """Done with a `State`."""
         self.dividing = Job(self)
-        """Done with a `work.Division`."""
+        """Done with a `Division`."""
+        self.editing = Job(self)
+        """Done with `dividing.Redivided`."""
         self.meshing = Job(self, self._cancel_worker)
         """Done with `work.Meshed`."""
         self.saving = Job(self, completes=True)
         """Done with the list of files."""
-        self.all = (self.preparing, self.opening, self.dividing, self.meshing, self.saving)
+        self.all = (self.preparing, self.opening, self.dividing, self.editing, self.meshing, self.saving)
 
     def prepare(self) -> None:
         """Load the compiled kernels, and start the worker that meshes."""
@@ -148,15 +156,29 @@ class Jobs(QObject):
         """Divide the contours of all plates."""
         self.dividing.start(partial(work.divided, plates, size))
 
+    def edit(self, plates: Document, change: "Remedy | None", size: Size) -> None:
+        """Divide an edge otherwise, or None: make all contours even."""
+        self.editing.start(partial(work.edited, plates, change, size))
+
     def mesh(
-        self, state: State, keys: Sequence[str], size: Size, metric: Metric, contours: Mapping[str, Attempt] | None
+        self,
+        state: State,
+        keys: Sequence[str],
+        size: Size,
+        mesher: Mesher,
+        metric: Metric,
+        contours: Mapping[str, Attempt] | None,
     ) -> None:
         """Mesh plates of a document; `contours` if they are known already."""
-        self.meshing.start(partial(work.meshed, state, keys, size, metric, contours, self._is_prepared))
+        self.meshing.start(partial(work.meshed, state, keys, size, mesher, metric, contours, self._is_prepared))
 
     def save(self, files: Mapping[Path, Mesh], metric: Metric) -> None:
         """Write meshes, with the values of a metric."""
         self.saving.start(partial(work.saved, files, metric))
+
+    def save_plates(self, plates: Document, path: Path) -> None:
+        """Write plates."""
+        self.saving.start(partial(work.plates_saved, plates, path))
 
     def stop_and_wait(self) -> None:
         """End all threads and the worker; files are written to their end. No signal comes any more."""

@@ -3,6 +3,7 @@
 import logging
 from collections.abc import Iterable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import attrs
 from PySide6.QtCore import QObject, Signal
@@ -14,16 +15,20 @@ from hullquad.optimization.settings import PaperSettings
 from hullquad.optimization.stops import Stop
 from hullquad_app.abilities import Abilities, abilities
 from hullquad_app.bookmarks import Bookmarks
+from hullquad_app.division import Size
 from hullquad_app.document import Document
 from hullquad_app.judging import Judging
+from hullquad_app.mesher import Mesher
 from hullquad_app.optimizer import Optimizer
 from hullquad_app.plan import UNTANGLE, plan, planned
 from hullquad_app.scene import Scene
 from hullquad_app.search import Search
 from hullquad_app.settings import Settings
 from hullquad_app.track import Track
-from hullquad_app.work import Size
 from hullquad_app.workshop import Workshop
+
+if TYPE_CHECKING:
+    from hullquad.triangulation.remedies import Remedy
 
 
 class Session(QObject):
@@ -46,7 +51,7 @@ class Session(QObject):
     saved = Signal(object)
     """Emitted with the list of files that were written."""
     divided = Signal(object)
-    """Emitted with the `work.Division` that was asked for."""
+    """Emitted with the `Division` that was asked for."""
 
     def __init__(self, settings: Settings | None = None, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -64,6 +69,17 @@ class Session(QObject):
         """Whether something would be lost if the program ended now."""
         return not self.document.edits.isClean() or self.optimizer.is_running
 
+    @property
+    def has_unsaved_plates(self) -> bool:
+        """Whether plates were edited and not written."""
+        return self.is_modified and not self.workshop.kept.has_plates(self.document.scene.state)
+
+    @property
+    def has_unsaved_meshes(self) -> bool:
+        """Whether meshes were made or changed and not written."""
+        state = self.document.scene.state
+        return self.is_modified and (self.optimizer.is_running or not self.workshop.kept.has_meshes(state))
+
     def prepare(self) -> None:
         """Load what meshing and judging need, while the user looks at the empty window."""
         self.workshop.jobs.prepare()
@@ -80,12 +96,21 @@ class Session(QObject):
         scene = self.document.scene
         keys = scene.state.keys if all_plates else (scene.view.key,)
         if scene.state.plates is not None:
-            self.workshop.mesh([key for key in keys if key is not None], size)
+            self.workshop.mesh([key for key in keys if key is not None], size, self.settings.mesher)
             self._tell_able()
 
     def divide(self, size: Size = None) -> None:
         """Have `divided` emitted with the contours for a size."""
         self.workshop.divide(size)
+
+    def redivide(self, change: "Remedy | None", size: Size = None) -> None:
+        """Divide an edge otherwise in all plates that have it, or None: make all contours even at a size.
+
+        Meshes that do not fit the contours any more go in the same step of undo.
+        """
+        self.optimizer.finish()
+        self.workshop.redivide(change, size)
+        self._tell_able()
 
     def cancel(self) -> None:
         """Give up what is being opened or meshed."""
@@ -97,6 +122,11 @@ class Session(QObject):
         if files := self._files(Path(path)):
             self.workshop.save(files)
             self._tell_able()
+
+    def save_plates(self, path: Path) -> None:
+        """Write the plates of the document."""
+        self.workshop.save_plates(Path(path))
+        self._tell_able()
 
     def targets(self, path: Path) -> list[Path]:
         """The files that `save` would write."""
@@ -162,6 +192,10 @@ class Session(QObject):
         if extend:
             chosen = selected - chosen if chosen <= selected else selected | chosen
         self.document.look(selection=chosen)
+
+    def set_mesher(self, mesher: Mesher) -> None:
+        """Have the next meshes made otherwise."""
+        self.settings.mesher = mesher
 
     def set_paper(self, paper: PaperSettings) -> None:
         """Have the next run use other parameters."""

@@ -15,6 +15,8 @@ from hullquad.metrics import METRICS, Band, Metric, metric
 from hullquad.optimization.objective import objective
 from hullquad.optimization.settings import PaperSettings
 from hullquad.optimizers import OPTIMIZERS
+from hullquad.quads.settings import LARGEST_GRADING, LEAST_GRADING
+from hullquad_app.mesher import MESHERS, PREFERENCES, Mesher
 from hullquad_app.search import FLOORS, MOST_ITERATIONS, MOST_RINGS, MOST_SECONDS, Search
 
 MOST_RECENT = 10
@@ -119,6 +121,15 @@ class Settings:
         self._write("objective", written)
 
     @property
+    def mesher(self) -> Mesher:
+        """The mesher and its options."""
+        return self._read("mesher", _mesher, Mesher())
+
+    @mesher.setter
+    def mesher(self, mesher: Mesher) -> None:
+        self._write("mesher", attrs.asdict(mesher))
+
+    @property
     def paper(self) -> PaperSettings:
         """Parameters of the paper's method."""
         return self._read("paper", _paper, PaperSettings())
@@ -179,6 +190,11 @@ def _objective(value: str | None) -> str | None:
     return value
 
 
+_MESHER: dict[str, Callable[[Any], bool]] = {
+    "name": lambda value: value in MESHERS,
+    "prefer": lambda value: value in PREFERENCES,
+    "grading": lambda value: _is_number(value) and LEAST_GRADING <= value <= LARGEST_GRADING,
+}
 _SEARCH: dict[str, Callable[[Any], bool]] = {
     "optimizer": lambda value: value in _OPTIMIZERS,
     "floor": lambda value: any(value is floor or (_is_number(value) and value == floor) for floor in FLOORS),
@@ -187,11 +203,19 @@ _SEARCH: dict[str, Callable[[Any], bool]] = {
     "is_local": lambda value: isinstance(value, bool),
     "rings": lambda value: _is_whole(value, 0, MOST_RINGS),
 }
-"""Which values of its fields are sound."""
+"""Which values of their fields are sound."""
+
+
+def _mesher(value: dict[str, Any]) -> Mesher:
+    return Mesher(**_sound(value, _MESHER))
 
 
 def _search(value: dict[str, Any]) -> Search:
-    return Search(**{name: given for name, given in value.items() if name in _SEARCH and _SEARCH[name](given)})
+    return Search(**_sound(value, _SEARCH))
+
+
+def _sound(value: dict[str, Any], table: Mapping[str, Callable[[Any], bool]]) -> dict[str, Any]:
+    return {name: given for name, given in value.items() if name in table and table[name](given)}
 
 
 def _is_number(value: Any) -> bool:

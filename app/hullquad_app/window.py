@@ -7,6 +7,7 @@ from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QMainWindow, QStackedWidget, QToolBar, QVBoxLayout, QWidget
 
 from hullquad.errors import HullquadError
+from hullquad.plate import Notice
 from hullquad_app import theme
 from hullquad_app.about import About
 from hullquad_app.actions import FILE, VIEW, Actions
@@ -148,6 +149,11 @@ class MainWindow(QMainWindow):
         self.actions_by_name.show_edits(edits.undoText(), edits.redoText())
         self.setWindowModified(self.session.is_modified)
 
+    def _show_place(self, notice: Notice) -> None:
+        plate = self.session.document.scene.plate
+        if plate is not None:
+            self.canvas.show_place(plate.place_of(notice))
+
     def _close_soon(self) -> None:
         self._may_close = True
         QTimer.singleShot(0, self, self.close)  # Qt closes nothing that is being closed
@@ -229,6 +235,7 @@ class MainWindow(QMainWindow):
             wanted.connect(self.judging_files.choose_rules)
         self.canvas.picked.connect(lambda row, extend: session.select({row}, extend=extend))
         self.canvas.painted.connect(session.optimizer.run.painted)
+        self.docks.meshing.prospect.place_wanted.connect(self._show_place)
         self.canvas.missed.connect(lambda: session.select(()))
         self._live.follow(self.canvas)
         self._live.follow(self.docks.quality, self.choices, self.history, self.status)
@@ -262,7 +269,7 @@ def _is_other(before: State, after: State, key: str | None) -> bool:
 
 
 def _progress(text: str, done: int, total: int) -> str:
-    return f"{text} {done} / {total}" if total else text
+    return f"{text} ({done} / {total})" if total else text
 
 
 def _dropped(event: QDropEvent) -> list[Path]:

@@ -7,7 +7,7 @@ import logging
 import threading
 from collections.abc import Generator, Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeAlias
+from typing import TYPE_CHECKING, Any
 
 import attrs
 from PySide6.QtCore import QCoreApplication
@@ -18,19 +18,19 @@ from hullquad.mesh import Mesh
 from hullquad.metrics import Metric
 from hullquad.plate import Document
 from hullquad.quality import quality
+from hullquad_app.dividing import redivided
+from hullquad_app.division import Attempt, Size, division
+from hullquad_app.mesh_words import stage_progress
+from hullquad_app.mesher import PAPER, Mesher
 from hullquad_app.scene import State
 from hullquad_app.track import Track
 
 if TYPE_CHECKING:
     from hullquad.triangulation.contour import Contour
+    from hullquad.triangulation.remedies import Remedy
 
 PREPARE_SECONDS = 600.0
 """Compiling every kernel, on a slow machine."""
-
-Size = float | str | None
-"""Element size [mm], or the name of one of the plates' own; None for their target sizes."""
-Attempt: TypeAlias = "Contour | PlateError"
-"""A plate's contour, or why it has none."""
 
 
 @attrs.frozen
@@ -47,20 +47,11 @@ Work = Generator[Progress, None, Any]
 
 
 @attrs.frozen(eq=False)
-class Division:
-    """The contours of a document, divided for one size."""
-
-    plates: Document
-    size: Size
-    contours: Mapping[str, Attempt]
-    """Of the plane plates, by id."""
-
-
-@attrs.frozen(eq=False)
 class Meshed:
     """Plates of a document that were meshed, and those that could not be."""
 
     plates: Document
+    mesher: Mesher
     tracks: Mapping[str, Track]
     refused: Mapping[str, HullquadError]
 
@@ -97,17 +88,22 @@ def opened(path: Path, metric: Metric) -> Work:
 
 
 def divided(plates: Document, size: Size) -> Work:
-    """Contours of the plane plates of a document."""
+    """The `Division` of a document."""
     yield Progress(_translated("Dividing contours"))
-    from hullquad.triangulation.contour import attempts  # noqa: PLC0415
+    return division(plates, size)
 
-    return Division(plates, size, attempts(plates, size))
+
+def edited(plates: Document, change: "Remedy | None", size: Size) -> Work:
+    """`Redivided` plates: by one change, or by as many as make all contours even."""
+    yield Progress(_translated("Dividing edges"))
+    return redivided(plates, change, size)
 
 
 def meshed(
     state: State,
     keys: Sequence[str],
     size: Size,
+    mesher: Mesher,
     metric: Metric,
     contours: Mapping[str, Attempt] | None,
     is_prepared: threading.Event,
@@ -116,21 +112,21 @@ def meshed(
     assert state.plates is not None  # the keys are those of plates
     while not is_prepared.wait(0.05):
         yield Progress(_translated("Preparing"))
-    yield Progress(_translated("Dividing contours"), 0, len(keys))
-    from hullquad import pipeline  # noqa: PLC0415
+    yield Progress(_translated("Dividing contours"))
     from hullquad.triangulation.contour import attempts  # noqa: PLC0415
 
     contours = contours or attempts(state.plates, size)
     tracks: dict[str, Track] = {}
     refused: dict[str, HullquadError] = {}
     for i, key in enumerate(keys):
-        yield Progress(_translated("Meshing {plate}").format(plate=key), i, len(keys))
+        so_far = (i, len(keys)) if len(keys) > 1 else (0, 0)
+        yield Progress(_translated("Meshing {plate}").format(plate=key), *so_far)
         try:
-            mesh = pipeline.paper_mesh(_contour(contours, key), state.plates.input_hash)
+            mesh = yield from _made(_contour(contours, key), state.plates.input_hash, mesher, so_far)
             tracks[key] = _track(mesh, metric)
         except HullquadError as error:
             refused[key] = error
-    return Meshed(state.plates, tracks, refused)
+    return Meshed(state.plates, mesher, tracks, refused)
 
 
 def saved(files: Mapping[Path, Mesh], metric: Metric) -> Work:
@@ -143,6 +139,30 @@ def saved(files: Mapping[Path, Mesh], metric: Metric) -> Work:
         yield Progress(_translated("Saving {file}").format(file=path.name), i, len(files))
         write_mesh(mesh, path, {metric.key: quality(mesh, metric).values})
     return list(files)
+
+
+def _made(
+    contour: "Contour", input_hash: str, mesher: Mesher, so_far: tuple[int, int]
+) -> Generator[Progress, None, Mesh]:
+    """The mesh of a plate; its stages are made as they are asked for, so that not asking cancels."""
+    from hullquad import pipeline  # noqa: PLC0415
+
+    if mesher.name == PAPER:
+        return pipeline.paper_mesh(contour, input_hash)
+    for stage in pipeline.best_stages(contour, input_hash, mesher.settings):
+        yield Progress(stage_progress(contour.plate.id, stage), *so_far)
+        if stage.is_best:
+            best = stage.mesh
+    return best
+
+
+def plates_saved(plates: Document, path: Path) -> Work:
+    """Write a document of plates; its file in a list."""
+    yield Progress(_translated("Saving {file}").format(file=path.name))
+    from hullquad.formats import write_plates  # noqa: PLC0415
+
+    write_plates(plates, path)
+    return [path]
 
 
 def _contour(contours: Mapping[str, Attempt], key: str) -> "Contour":

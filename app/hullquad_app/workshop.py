@@ -3,6 +3,7 @@
 import logging
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import attrs
 from PySide6.QtCore import QObject, Signal
@@ -10,17 +11,26 @@ from PySide6.QtCore import QObject, Signal
 from hullquad.errors import HullquadError
 from hullquad.mesh import Mesh
 from hullquad.plate import Notice
+from hullquad_app.dividing import Redivided
+from hullquad_app.division import Division, Size
 from hullquad_app.document import Document
 from hullquad_app.jobs import Jobs
+from hullquad_app.kept import Kept
+from hullquad_app.mesh_words import element_words, mesher_words
+from hullquad_app.mesher import Mesher
 from hullquad_app.objectives import optimised_by
+from hullquad_app.remedy_words import remedy_words
 from hullquad_app.scene import State
-from hullquad_app.work import Division, Meshed, Progress, Size
+from hullquad_app.work import Meshed, Progress
+
+if TYPE_CHECKING:
+    from hullquad.triangulation.remedies import Remedy
 
 KEPT_DIVISIONS = 16
 
 
 class Workshop(QObject):
-    """Opens, divides, meshes and saves; the document changes when the work is done, and only then.
+    """Opens, divides, edits, meshes and saves; the document changes when the work is done, and only then.
 
     Parameters
     ----------
@@ -41,18 +51,20 @@ class Workshop(QObject):
         self.jobs = Jobs(self)
         self.refused: dict[str, HullquadError] = {}
         """Why plates could not be meshed, by id."""
+        self.kept = Kept()
         self._document, self._settle = document, settle
         self._divisions: dict[Size, Division] = {}
-        self._being_saved: tuple[int, State] = (0, State())
+        self._being_saved = self.kept
         for job in self.jobs.all:
             job.broke.connect(self._tell_broken)
             job.ended.connect(self._tell_idle)
-        for job in (self.jobs.opening, self.jobs.meshing, self.jobs.saving):
+        for job in (self.jobs.opening, self.jobs.editing, self.jobs.meshing, self.jobs.saving):
             job.refused.connect(self.message)
         for job in (self.jobs.preparing, self.jobs.opening, self.jobs.meshing, self.jobs.saving):
             job.progressed.connect(self._tell_busy)
         self.jobs.opening.done.connect(self._show_opened)
         self.jobs.dividing.done.connect(self._show_divided)
+        self.jobs.editing.done.connect(self._show_redivided)
         self.jobs.meshing.done.connect(self._show_meshed)
         self.jobs.saving.done.connect(self._show_saved)
 
@@ -73,18 +85,31 @@ class Workshop(QObject):
         elif plates is not None:
             self.jobs.divide(plates, size)
 
-    def mesh(self, keys: Sequence[str], size: Size) -> None:
+    def redivide(self, change: "Remedy | None", size: Size) -> None:
+        """Divide an edge otherwise, or None: make all contours even at a size."""
+        plates = self._document.scene.state.plates
+        if plates is not None:
+            self.jobs.edit(plates, change, size)
+
+    def mesh(self, keys: Sequence[str], size: Size, mesher: Mesher) -> None:
         """Mesh plates of the document."""
         scene, known = self._document.scene, self.division(size)
         self.jobs.mesh(
-            scene.state, keys, size, optimised_by(scene.view.metric), None if known is None else known.contours
+            scene.state, keys, size, mesher, optimised_by(scene.view.metric), None if known is None else known.contours
         )
 
     def save(self, files: Mapping[Path, Mesh]) -> None:
-        """Write meshes; the document is then no longer modified."""
+        """Write meshes, all that the document has."""
         scene = self._document.scene
-        self._being_saved = (self._document.edits.index(), scene.state)
+        self._being_saved = attrs.evolve(self.kept, tracks=scene.state.tracks)
         self.jobs.save(files, scene.view.metric)
+
+    def save_plates(self, path: Path) -> None:
+        """Write the plates of the document."""
+        plates = self._document.scene.state.plates
+        if plates is not None:
+            self._being_saved = attrs.evolve(self.kept, plates=plates)
+            self.jobs.save_plates(plates, path)
 
     def cancel(self) -> None:
         """Give up what is being opened or meshed; the document stays as it is."""
@@ -95,6 +120,7 @@ class Workshop(QObject):
         self.jobs.meshing.cancel()
         self._settle()
         self.refused = {}
+        self.kept = self._being_saved = Kept.of(state)
         self._divisions.clear()
         self._document.open(state)
         self.opened.emit(state.path)
@@ -107,6 +133,20 @@ class Workshop(QObject):
                 del self._divisions[size]
             self._divisions[division.size] = division
             self.divided.emit(division)
+
+    def _show_redivided(self, found: Redivided) -> None:
+        self._settle()
+        state = self._document.scene.state
+        if state.plates is not found.before:
+            return
+        if found.plates is found.before:
+            self.message.emit(self.tr("No way was found to make more contours even by dividing edges otherwise."))
+            return
+        label = self.tr("Make contours even") if found.change is None else remedy_words(found.change)
+        self._document.change(label, found.after(state))
+        if lost := found.meshes_lost(state):
+            text = self.tr("Taken away: the meshes of {plates}, which have other contours now. Undo brings them back.")
+            self.message.emit(text.format(plates=", ".join(lost)))
 
     def _show_meshed(self, meshed: Meshed) -> None:
         self._settle()
@@ -126,15 +166,18 @@ class Workshop(QObject):
         return shown if shown in meshed.tracks or len(meshed.tracks) > 1 else next(iter(meshed.tracks))
 
     def _show_saved(self, files: list[Path]) -> None:
-        if self._being_saved == (self._document.edits.index(), self._document.scene.state):
+        self.kept, state = self._being_saved, self._document.scene.state
+        if self.kept.has_plates(state) and self.kept.has_meshes(state):
             self._document.edits.setClean()
         self.saved.emit(files)
 
     def _label(self, meshed: Meshed) -> str:
-        if len(meshed.tracks) > 1:
-            return self.tr("Mesh {count} plates").format(count=len(meshed.tracks))
-        ((key, track),) = meshed.tracks.items()
-        return self.tr("Mesh {plate} ({size} mm)").format(plate=key, size=f"{track.first.mesh.target_size:g}")
+        plates = self.tr("{count} plates").format(count=len(meshed.tracks))
+        return self.tr("Mesh {plates} ({mesher}): {elements}").format(
+            plates=plates if len(meshed.tracks) > 1 else next(iter(meshed.tracks)),
+            mesher=mesher_words(meshed.mesher.name),
+            elements=element_words(track.first.mesh for track in meshed.tracks.values()),
+        )
 
     def _tell_refused(self, errors: list[HullquadError]) -> None:
         if len(errors) == 1:

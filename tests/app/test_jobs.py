@@ -10,7 +10,9 @@ from hullquad import pipeline, worker
 from hullquad.errors import FileError, MeshingError, PlateError
 from hullquad.formats import read_plates
 from hullquad.metrics import metric
+from hullquad.triangulation.contour import contours
 from hullquad_app.jobs import Job, Jobs
+from hullquad_app.mesher import Mesher
 from hullquad_app.scene import State
 from hullquad_app.work import Progress
 
@@ -18,6 +20,7 @@ PLATES = Path(__file__).parents[2] / "assets" / "plates"
 BAD = Path(__file__).parents[1] / "data" / "bad-plates"
 BLOCK = PLATES / "hopper_block.json"
 STRETCH = metric("stretch")
+BEST, PAPER = Mesher(), Mesher(name="paper")
 
 
 def threads():
@@ -46,9 +49,9 @@ def answer(qtbot, signal, act):
     return waited.args[0]
 
 
-def mesh(jobs, state, keys, size=None):
+def mesh(jobs, state, keys, size=None, mesher=BEST):
     """Act that meshes plates."""
-    return lambda: jobs.mesh(state, keys, size, STRETCH, None)
+    return lambda: jobs.mesh(state, keys, size, mesher, STRETCH, None)
 
 
 def counted(steps, *, gate=None):
@@ -130,6 +133,24 @@ def test_a_plate_is_meshed_for_a_size(jobs, block, qtbot):
     assert meshed.refused == {}
 
 
+@pytest.mark.parametrize("mesher", [BEST, Mesher(prefer="quality", grading=0.2), PAPER])
+def test_a_plate_is_meshed_as_the_engine_does_by_itself(jobs, block, qtbot, mesher):
+    meshed = answer(qtbot, jobs.meshing.done, mesh(jobs, block, ["H1"], 400.0, mesher))
+    contour = contours(block.plates, 400.0)["H1"]
+    by_itself = (
+        pipeline.paper_mesh(contour) if mesher is PAPER else pipeline.best_mesh(contour, settings=mesher.settings)
+    )
+    assert np.array_equal(meshed.tracks["H1"].first.mesh.points, by_itself.points)
+    assert meshed.mesher is mesher
+
+
+def test_the_stages_of_the_best_mesher_are_told(jobs, block, qtbot):
+    told = []
+    jobs.meshing.progressed.connect(lambda progress: told.append(progress.text))
+    answer(qtbot, jobs.meshing.done, mesh(jobs, block, ["IB"], "very_fine"))
+    assert any(text.startswith("Meshing IB: ") for text in told)
+
+
 def test_plates_that_cannot_be_meshed_do_not_stop_the_others(jobs, block, qtbot):
     meshed = answer(qtbot, jobs.meshing.done, mesh(jobs, block, block.keys))
     curved = [plate.id for plate in block.plates.plates if not plate.is_plane]
@@ -142,7 +163,7 @@ def test_meshing_can_be_cancelled_while_the_worker_computes(jobs, block, qtbot):
     seen = []
     jobs.meshing.done.connect(seen.append)
     with qtbot.waitSignal(jobs.meshing.progressed):
-        jobs.mesh(block, block.keys, 5.0, STRETCH, None)
+        jobs.mesh(block, block.keys, 5.0, BEST, STRETCH, None)
     with qtbot.waitSignal(jobs.meshing.ended):
         jobs.meshing.cancel()
     assert answer(qtbot, jobs.meshing.done, mesh(jobs, block, ["H1"])).tracks.keys() == {"H1"}
@@ -152,7 +173,7 @@ def test_meshing_can_be_cancelled_while_the_worker_computes(jobs, block, qtbot):
 def test_closing_while_meshing_leaves_no_thread_and_no_worker(block, qtbot):
     jobs = Jobs()
     with qtbot.waitSignal(jobs.meshing.progressed):
-        jobs.mesh(block, block.keys, 5.0, STRETCH, None)
+        jobs.mesh(block, block.keys, 5.0, BEST, STRETCH, None)
     jobs.stop_and_wait()
     assert threads() == []
 
@@ -168,7 +189,7 @@ def test_meshing_waits_until_the_kernels_are_prepared(jobs, block, qtbot, monkey
     monkeypatch.setattr(worker, "call", lambda *_, **__: order.append("worker"))
     monkeypatch.setattr(pipeline, "paper_mesh", fail)
     jobs.prepare()
-    answer(qtbot, jobs.meshing.broke, mesh(jobs, block, ["H1"]))
+    answer(qtbot, jobs.meshing.broke, mesh(jobs, block, ["H1"], mesher=PAPER))
     assert order == ["worker", "prepared", "meshed"]
 
 
@@ -178,7 +199,7 @@ def test_cancelling_meshing_does_not_cancel_the_preparation(jobs, block, qtbot, 
     monkeypatch.setattr(worker, "call", lambda *_, **__: gate.wait())
     monkeypatch.setattr(worker, "cancel", lambda: cancelled.append(True))
     jobs.prepare()
-    jobs.mesh(block, ["H1"], None, STRETCH, None)
+    jobs.mesh(block, ["H1"], None, BEST, STRETCH, None)
     jobs.meshing.cancel()
     assert cancelled == []
     with qtbot.waitSignal(jobs.preparing.ended):

@@ -9,10 +9,11 @@ from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QPushButton
 from hullquad.formats import read_plates
 from hullquad.triangulation.contour import attempts
 from hullquad_app.abilities import Abilities
+from hullquad_app.division import division
 from hullquad_app.document import Document
+from hullquad_app.mesher import Mesher
 from hullquad_app.panels.meshing import MeshingPanel
 from hullquad_app.scene import State
-from hullquad_app.work import Division
 
 PLATES = Path(__file__).parents[2] / "assets" / "plates"
 BLOCK = read_plates(PLATES / "hopper_block.json")
@@ -43,7 +44,7 @@ def show(panel, plates, key=None, size=None):
         document.look(key=key)
     panel.show_scene(document.scene)
     panel.show_abilities(ALL)
-    panel.show_division(Division(plates, size, attempts(plates, size)))
+    panel.show_division(division(plates, size))
 
 
 def choose(panel, title, qtbot):
@@ -55,7 +56,7 @@ def choose(panel, title, qtbot):
 
 def test_an_empty_window_can_mesh_nothing(panel):
     assert not panel.one.isEnabled()
-    assert "Open a plate document" in panel.prospect.text()
+    assert "Open a plate document" in panel.prospect.sentence.text()
 
 
 def test_sizes_are_those_of_the_plate(panel):
@@ -67,17 +68,17 @@ def test_sizes_are_those_of_the_plate(panel):
 
 def test_unavoidable_triangles_are_told_before_meshing(panel):
     show(panel, BLOCK, "H1", 310.0)
-    assert panel.prospect.text() == "Unavoidable triangles: …"  # those of another size are known
+    assert panel.prospect.sentence.text() == "Unavoidable triangles: …"  # those of another size are known
     show(panel, BLOCK, "H1")
     contour = attempts(BLOCK)["H1"]
     expected = f"Unavoidable triangles: {contour.edge_count % 2} ({contour.edge_count} contour edges)"
-    assert panel.prospect.text() == expected
+    assert panel.prospect.sentence.text() == expected
 
 
 def test_a_curved_plate_is_refused_in_the_words_of_the_engine(panel):
     plates = read_plates(PLATES / "bilge_shell.json")
     show(panel, plates)
-    assert "curved surfaces: not yet" in panel.prospect.text()
+    assert "curved surfaces: not yet" in panel.prospect.sentence.text()
 
 
 def test_a_chosen_size_is_asked_for(panel, asked, qtbot):
@@ -126,3 +127,92 @@ def test_every_control_has_a_name_and_fits_the_column(panel):
     for kind in (QComboBox, QDoubleSpinBox, QPushButton):
         assert all(control.accessibleName() for control in panel.findChildren(kind))
     assert panel.minimumSizeHint().width() < 60 * panel.fontMetrics().averageCharWidth()
+
+
+@pytest.fixture
+def odd(panel):
+    """The panel with a plate of an odd contour, and its remedy."""
+    plates = read_plates(PLATES / "bracket_toe.json")
+    show(panel, plates)
+    return division(plates, None).remedies["bracket_toe"]
+
+
+def test_the_cause_of_a_triangle_is_told_with_what_helps(panel, odd):
+    told = panel.prospect.sentence.text()
+    assert "Odd number of contour edges: " in told
+    assert "one node more or fewer on an edge makes it none" in told
+    assert panel.prospect.remedy.isVisible()
+    assert panel.prospect.remedy.text() == f"Divide edge {odd.edge} of bracket_toe in {odd.number}"
+    assert not panel.prospect.evening.isVisible()
+
+
+def test_a_remedy_is_asked_for_with_the_size(panel, odd, qtbot):
+    with qtbot.waitSignal(panel.remedy_wanted) as wanted:
+        qtbot.mouseClick(panel.prospect.remedy, Qt.MouseButton.LeftButton)
+    assert wanted.args == [odd, None]
+
+
+def test_the_edge_of_a_remedy_can_be_shown(panel, odd, qtbot):
+    with qtbot.waitSignal(panel.prospect.place_wanted) as wanted:
+        qtbot.mouseClick(panel.prospect.show_edge, Qt.MouseButton.LeftButton)
+    assert wanted.args[0].numbers["where"].endswith(f"/{odd.edge}")
+
+
+def test_all_contours_can_be_made_even_where_several_are_odd(panel, qtbot):
+    show(panel, BLOCK, "F1", "fine")
+    choose(panel, "fine", qtbot)
+    count = len(division(BLOCK, "fine").odd)
+    assert count > 1
+    assert panel.prospect.evening.text() == f"Make all contours even ({count} are odd)"
+    with qtbot.waitSignal(panel.remedy_wanted) as wanted:
+        qtbot.mouseClick(panel.prospect.evening, Qt.MouseButton.LeftButton)
+    assert wanted.args == [None, "fine"]
+
+
+def test_neighbours_that_have_the_edge_too_are_named(panel, qtbot):
+    found = division(BLOCK, "fine")
+    key, change = next((key, change) for key, change in found.remedies.items() if change.neighbours)
+    show(panel, BLOCK, key, "fine")
+    choose(panel, "fine", qtbot)
+    assert f"The edge is divided in {', '.join(change.neighbours)} too." in panel.prospect.sentence.text()
+
+
+def test_an_even_contour_needs_nothing(panel):
+    show(panel, BLOCK, "H1")
+    assert not panel.prospect.remedy.isVisible()
+    assert not panel.prospect.notices.isVisible()
+
+
+def test_nothing_is_edited_while_something_is_meshed(panel, odd):
+    panel.show_abilities(Abilities(can_cancel=True))
+    assert not panel.prospect.remedy.isEnabled()
+
+
+def test_other_notices_are_listed_and_show_their_place(panel, qtbot):
+    plates = read_plates(PLATES / "girder_manholes.json")
+    show(panel, plates)
+    rows = panel.prospect.notices
+    assert rows.count() == len(division(plates, None).notices["girder_manholes"]) > 0
+    assert rows.item(0).text().startswith("The hole is ")
+    with qtbot.waitSignal(panel.prospect.place_wanted) as wanted:
+        qtbot.mouseClick(rows.viewport(), Qt.MouseButton.LeftButton, pos=rows.visualItemRect(rows.item(0)).center())
+    assert wanted.args[0].code == "W_SMALL_HOLE"
+
+
+def test_the_best_mesher_is_chosen_first_and_others_can_be(panel, qtbot):
+    boxes, told = panel.mesher, []
+    boxes.changed.connect(told.append)
+    assert boxes.names.currentData() == "best"
+    assert boxes.grading.isVisible()
+    boxes.preferences.setCurrentIndex(1)
+    boxes.preferences.activated.emit(1)
+    boxes.grading.setValue(0.3)
+    boxes.names.setCurrentIndex(1)
+    boxes.names.activated.emit(1)
+    assert told[-1] == Mesher(name="paper", prefer="quality", grading=0.3)
+    assert not boxes.grading.isVisible()
+
+
+def test_what_was_chosen_last_is_shown(panel):
+    panel.mesher.show_mesher(Mesher(prefer="quality", grading=0.7))
+    assert (panel.mesher.preferences.currentText(), panel.mesher.grading.value()) == ("best worst element", 0.7)

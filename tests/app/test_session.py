@@ -165,7 +165,7 @@ def test_meshing_a_plate_is_a_step_of_undo(session, open_, qtbot):
     with qtbot.waitSignal(session.idle):
         session.mesh(400.0)
     scene = session.document.scene
-    assert labels(session) == ["Mesh hopper_partition (400 mm)"]
+    assert labels(session) == [f"Mesh hopper_partition (best): 1 triangle, {len(scene.mesh.topology.quads)} quads"]
     assert scene.mesh.target_size == 400.0
     assert session.is_modified
     session.undo()
@@ -178,7 +178,7 @@ def test_meshing_all_plates_is_one_step_and_refusals_are_told(session, open_, sa
     with qtbot.waitSignal(session.idle, timeout=10_000):
         session.mesh(all_plates=True)
     scene = session.document.scene
-    assert labels(session) == [f"Mesh {len(scene.state.tracks)} plates"]
+    assert [label.split(":")[0] for label in labels(session)] == [f"Mesh {len(scene.state.tracks)} plates (best)"]
     assert scene.view.key == "H1"
     assert set(session.workshop.refused) | set(scene.state.tracks) == set(scene.state.keys)
     assert [error.place for error in said] == list(session.workshop.refused)
@@ -321,7 +321,7 @@ def test_a_run_that_can_do_nothing_says_why_and_leaves_the_document(session, sai
     ended(session.run)
     assert said == ["every node is given by the plate. A smaller element size gives nodes that can be moved."]
     assert session.document.scene.state is meshed
-    assert labels(session) == ["Mesh G2 (5000 mm)"]
+    assert labels(session) == ["Mesh G2 (best): 4 quads"]
 
 
 def test_selection_extends_and_takes_back(session, show):

@@ -7,10 +7,11 @@ import pytest
 from PySide6.QtCore import QByteArray, QSettings
 
 from hullquad.optimization.settings import PaperSettings
+from hullquad_app.mesher import Mesher
 from hullquad_app.search import Search
 from hullquad_app.settings import MOST_RECENT, Settings
 
-NAMES = ("geometry", "layout", "theme", "recent", "bands", "metric", "objective", "paper", "search")
+NAMES = ("geometry", "layout", "theme", "recent", "bands", "metric", "objective", "paper", "search", "mesher")
 NONSENSE = [
     "", "x", "null", "[]", "{}", "3", "true", '"?"', "[[1]]", '{"step": "a"}', '{"stretch": "a"}', "[null]", "1e999",
     "[" * 100_000, '{"stretch": null}', '{"iterations": 1e99}', '["\\u0000"]',
@@ -44,6 +45,7 @@ def test_the_next_start_finds_what_was_set(ini):
     before.bands, before.metric, before.objective = {"stretch": (0.4, math.inf)}, "shape", "min_angle=2,shape"
     before.paper = PaperSettings(step=0.001, iterations=50, guard=False)
     before.search = Search(optimizer="worst", floor=None, iterations=9, seconds=3, is_local=True, rings=0)
+    before.mesher = Mesher(name="paper", prefer="quality", grading=0.7)
     expected = values(before)
     del before
     assert values(opened(ini)) == expected
@@ -73,9 +75,11 @@ def test_of_what_is_kept_only_the_sound_parts_count(ini):
     store.setValue("bands", json.dumps({"stretch": [0.4], "beauty": [1.0], "shape": [math.inf], "skew": [0.1, 0.2]}))
     search = {"optimizer": "luck", "floor": True, "iterations": 0, "seconds": 1.5, "is_local": 1, "rings": 1, "new": 3}
     store.setValue("search", json.dumps(search))
+    store.setValue("mesher", json.dumps({"name": "luck", "prefer": ["quads"], "grading": 0.3, "new": 3}))
     store.setValue("objective", json.dumps("stretch=2,beauty"))
     assert Settings(store).paper == PaperSettings(step=0.01)
     assert Settings(store).search == Search(rings=1)
+    assert Settings(store).mesher == Mesher(grading=0.3)
     assert Settings(store).objective is None
     assert Settings(store).bands == {"stretch": (0.4, math.inf)}
 

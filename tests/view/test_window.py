@@ -156,9 +156,10 @@ def test_the_journey_from_a_sample_to_a_saved_mesh(window, qtbot, tmp_path, monk
     assert window.welcome.isVisible()
     open_sample(window, qtbot, "hopper_partition")
     assert window.canvas.isVisible()
-    assert "Unavoidable triangles" in window.docks.meshing.prospect.text()
+    assert "Unavoidable triangles" in window.docks.meshing.prospect.sentence.text()
     mesh(window, qtbot)
-    assert any("20 quads" in label.text() for label in window.status.findChildren(QLabel))
+    quads = len(scene(window).mesh.topology.quads)
+    assert any(f"{quads} quads · 0 triangles" in label.text() for label in window.status.findChildren(QLabel))
     np.testing.assert_array_equal(colours(window), element_colours(scene(window).quality))
 
     first = scene(window).mesh

@@ -1,7 +1,5 @@
 """How a plate is meshed: element size, mesher, what the contour makes of it; and how far meshing is."""
 
-from typing import TYPE_CHECKING
-
 from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtWidgets import (
     QComboBox,
@@ -11,21 +9,19 @@ from PySide6.QtWidgets import (
     QLabel,
     QProgressBar,
     QPushButton,
-    QSizePolicy,
     QVBoxLayout,
     QWidget,
 )
 
-from hullquad.errors import HullquadError, MeshingError
 from hullquad.plate import Plate
 from hullquad_app.abilities import Abilities
 from hullquad_app.colours import LIGHT, Palette
+from hullquad_app.division import Division, Size
+from hullquad_app.panels.explained import explain
 from hullquad_app.panels.ground import coloured, dress
+from hullquad_app.panels.mesher_rows import MesherRows
+from hullquad_app.panels.prospect import Prospect
 from hullquad_app.scene import Scene
-from hullquad_app.work import Division, Size
-
-if TYPE_CHECKING:
-    from hullquad.triangulation.contour import Contour
 
 _LEAST, _MOST = 0.1, 1e6
 _OTHER = "other"
@@ -38,21 +34,22 @@ class MeshingPanel(QWidget):
     """Emitted with a size to divide the contours for: a number [mm], a name, or None for the plates' own."""
     requested = Signal(object, bool)
     """Emitted with the size, and whether all plates are to be meshed."""
+    remedy_wanted = Signal(object, object)
+    """Emitted with a `Remedy` to carry out, or None to make all contours even; and the size."""
     cancelled = Signal()
     """Emitted when meshing is to be given up."""
 
     def __init__(self) -> None:
         super().__init__()
-        self._scene, self._palette = Scene(), LIGHT
+        self._scene = Scene()
         self._division: Division | None = None
-        self.sizes, self.mesher = QComboBox(), QComboBox()
+        self.sizes, self.mesher = QComboBox(), MesherRows()
         self.millimetres = QDoubleSpinBox(minimum=_LEAST, maximum=_MOST, decimals=1)
         self.millimetres.setKeyboardTracking(False)
-        self.prospect = QLabel(wordWrap=True)
+        self.prospect = Prospect()
         self.one, self.all_plates = QPushButton(self.tr("&Mesh")), QPushButton()
         self.task, self.progress = QLabel(), QProgressBar(textVisible=False)
         self.cancel = QPushButton(self.tr("Cancel"))
-        self.mesher.addItem(self.tr("paper: Delaunay, advancing front"))
         self._explain()
         self._arrange()
         self._list_sizes(None)
@@ -83,6 +80,7 @@ class MeshingPanel(QWidget):
         """Enable what can be done."""
         self.one.setEnabled(able.can_mesh)
         self.all_plates.setEnabled(able.can_mesh_all)
+        self.prospect.enable(can_edit=able.can_mesh)
         self.cancel.setEnabled(able.can_cancel)
 
     def show_division(self, division: Division) -> None:
@@ -103,10 +101,9 @@ class MeshingPanel(QWidget):
 
     def set_palette(self, palette: Palette) -> None:
         """Draw in the colours of a theme."""
-        self._palette = palette
         dress(self, palette)
         coloured(self.task, palette.dim)
-        self._show_prospect()
+        self.prospect.set_palette(palette)
 
     def _connect(self) -> None:
         self.sizes.activated.connect(self._choose)
@@ -114,6 +111,8 @@ class MeshingPanel(QWidget):
         self.one.clicked.connect(lambda: self.requested.emit(self.size_wanted, False))
         self.all_plates.clicked.connect(lambda: self.requested.emit(self.size_wanted, True))
         self.cancel.clicked.connect(self.cancelled)
+        self.prospect.remedy_wanted.connect(lambda change: self.remedy_wanted.emit(change, self.size_wanted))
+        self.prospect.evening_wanted.connect(lambda: self.remedy_wanted.emit(None, self.size_wanted))
 
     def _choose(self) -> None:
         self.millimetres.setVisible(self.sizes.currentData() == _OTHER)
@@ -139,25 +138,9 @@ class MeshingPanel(QWidget):
                 self.millimetres.setValue(plate.target_size)
 
     def _show_prospect(self) -> None:
-        text, is_refused = self._prospect()
-        self.prospect.setText(text)
-        coloured(self.prospect, self._palette.fail if is_refused else self._palette.dim)
-
-    def _prospect(self) -> tuple[str, bool]:
-        """What the contour makes of the size, and whether the plate is refused."""
-        plate, division = self._scene.plate, self._division
-        if plate is None:
-            return self.tr("Open a plate document to mesh its plates."), False
-        if division is None or division.plates is not self._scene.state.plates or division.size != self.size_wanted:
-            return self.tr("Unavoidable triangles: …"), False
-        contour = division.contours.get(plate.id, MeshingError("E_CURVED", plate.id))
-        if isinstance(contour, HullquadError):
-            return contour.text, True
-        return self._unavoidable(contour), False
-
-    def _unavoidable(self, contour: "Contour") -> str:
-        text = self.tr("Unavoidable triangles: {triangles} ({edges} contour edges)")
-        return text.format(triangles=contour.triangles_unavoidable, edges=contour.edge_count)
+        known, wanted = self._division, (self._scene.state.plates, self.size_wanted)
+        is_of_this = known is not None and (known.plates, known.size) == wanted
+        self.prospect.show_division(self._scene.plate, known if is_of_this else None)
 
     def _show_task(self, *, visible: bool) -> None:
         for widget in (self.task, self.progress, self.cancel):
@@ -168,34 +151,24 @@ class MeshingPanel(QWidget):
         texts = (
             (self.sizes, self.tr("Element size"), self.tr("Length that an element's edge should have.")),
             (self.millimetres, self.tr("Element size in millimetres"), self.tr("Any length [mm].")),
-            (self.mesher, self.tr("Mesher"), self.tr("How triangles are made and joined to quads.")),
-            (
-                self.prospect,
-                self.tr("Unavoidable triangles"),
-                self.tr(
-                    "Quads have an even number of contour edges: an odd one leaves a triangle, however it is meshed."
-                ),
-            ),
             (self.one, self.tr("Mesh the plate"), self.tr("Mesh the plate that is shown.")),
             (self.all_plates, self.tr("Mesh all plates"), self.tr("Mesh every plate of the document.")),
             (self.progress, self.tr("Progress"), ""),
             (self.cancel, self.tr("Cancel"), self.tr("Give up; the document stays as it was.")),
         )
         for widget, name, tip in texts:
-            widget.setAccessibleName(name)
-            widget.setToolTip(tip)
+            explain(widget, name, tip)
         self.millimetres.setSuffix(self.tr(" mm"))
 
     def _arrange(self) -> None:
         self.sizes.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
-        self.prospect.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.all_plates.hide()
         self.millimetres.hide()
         form = QFormLayout()
         form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
         form.addRow(self.tr("Element &size"), self.sizes)
         form.addRow("", self.millimetres)
-        form.addRow(self.tr("M&esher"), self.mesher)
+        self.mesher.add_to(form)
         buttons, running = QHBoxLayout(), QHBoxLayout()
         buttons.addWidget(self.one)
         buttons.addWidget(self.all_plates)

@@ -1,0 +1,59 @@
+"""What goes on while a plate is meshed, and what has come of it, in words that fit a label."""
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
+
+from hullquad.mesh import Mesh
+from hullquad.quads.stages import Step
+from hullquad_app.mesher import BEST, PAPER
+from hullquad_app.panels.figures import counted
+
+if TYPE_CHECKING:
+    from hullquad.pipeline import MeshStage
+
+_STEPS = {
+    "triangulated": str(QT_TRANSLATE_NOOP("MeshWords", "triangulated")),
+    "joined": str(QT_TRANSLATE_NOOP("MeshWords", "triangles joined to quads")),
+    "repaired": str(QT_TRANSLATE_NOOP("MeshWords", "triangles repaired")),
+    "cleaned": str(QT_TRANSLATE_NOOP("MeshWords", "cleaned up")),
+    "smoothed": str(QT_TRANSLATE_NOOP("MeshWords", "smoothed")),
+    "shaken": str(QT_TRANSLATE_NOOP("MeshWords", "shaken and smoothed again")),
+}
+_MESHERS = {
+    BEST: str(QT_TRANSLATE_NOOP("MeshWords", "best")),
+    PAPER: str(QT_TRANSLATE_NOOP("MeshWords", "paper")),
+}
+
+
+def step_words(step: Step) -> str:
+    """What has just been done."""
+    return _tr(_STEPS[step.value]) if step.value in _STEPS else step.value
+
+
+def mesher_words(name: str) -> str:
+    """Name of a mesher."""
+    return _tr(_MESHERS[name])
+
+
+def stage_progress(plate: str, stage: "MeshStage") -> str:
+    """How far a plate is."""
+    text = _tr("Meshing {plate}: {step}")
+    if stage.candidates > 1:
+        text = _tr("Meshing {plate}: {step}, candidate {number} of {count}")
+    words = step_words(stage.step)
+    return text.format(plate=plate, step=words, number=stage.candidate + 1, count=stage.candidates)
+
+
+def element_words(meshes: Iterable[Mesh]) -> str:
+    """``1 triangle, 26 quads``, of all meshes together."""
+    grids = [mesh.topology for mesh in meshes]
+    triangles, quads = sum(len(grid.triangles) for grid in grids), sum(len(grid.quads) for grid in grids)
+    ends = (_tr("{triangles} triangle, ") if triangles == 1 else _tr("{triangles} triangles, ")) if triangles else ""
+    ends += _tr("{quads} quad") if quads == 1 else _tr("{quads} quads")
+    return ends.format(triangles=counted(triangles), quads=counted(quads))
+
+
+def _tr(text: str) -> str:
+    return QCoreApplication.translate("MeshWords", text)

@@ -1,0 +1,77 @@
+"""Which mesher, and its options: rows of a form."""
+
+from contextlib import ExitStack
+from typing import Any
+
+import attrs
+from PySide6.QtCore import QObject, QSignalBlocker, Signal
+from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QFormLayout
+
+from hullquad.quads.settings import LARGEST_GRADING, LEAST_GRADING, Preference
+from hullquad_app.mesher import BEST, PAPER, Mesher
+from hullquad_app.panels.explained import explain
+
+_STEP = 0.05
+
+
+class MesherRows(QObject):
+    """Boxes for all that a `Mesher` says; the paper's mesher has no options."""
+
+    changed = Signal(object)
+    """Emitted with a `Mesher`, when the user has changed it."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._mesher, self._form = Mesher(), QFormLayout()
+        self.names, self.preferences = QComboBox(), QComboBox()
+        self.grading = QDoubleSpinBox(minimum=LEAST_GRADING, maximum=LARGEST_GRADING, singleStep=_STEP)
+        self.grading.setKeyboardTracking(False)
+        self.names.addItem(self.tr("best: no avoidable triangle"), BEST)
+        self.names.addItem(self.tr("paper: Delaunay, advancing front"), PAPER)
+        self.preferences.addItem(self.tr("fewest triangles"), Preference.QUADS.value)
+        self.preferences.addItem(self.tr("best worst element"), Preference.QUALITY.value)
+        self._explain()
+        self.names.activated.connect(lambda: self._change(name=self.names.currentData()))
+        self.preferences.activated.connect(lambda: self._change(prefer=self.preferences.currentData()))
+        self.grading.valueChanged.connect(lambda value: self._change(grading=round(value, 2)))
+
+    def add_to(self, form: QFormLayout) -> None:
+        """Put the boxes into a form."""
+        self._form = form
+        form.addRow(self.tr("M&esher"), self.names)
+        form.addRow(self.tr("P&refer"), self.preferences)
+        form.addRow(self.tr("&Grading"), self.grading)
+        self.show_mesher(self._mesher)
+
+    def show_mesher(self, mesher: Mesher) -> None:
+        """Show how plates are meshed."""
+        self._mesher = mesher
+        with ExitStack() as quiet:
+            for box in (self.names, self.preferences, self.grading):
+                quiet.enter_context(QSignalBlocker(box))
+            self.names.setCurrentIndex(self.names.findData(mesher.name))
+            self.preferences.setCurrentIndex(self.preferences.findData(mesher.prefer))
+            self.grading.setValue(mesher.grading)
+        for box in (self.preferences, self.grading):
+            self._form.setRowVisible(box, mesher.name == BEST)
+
+    def _change(self, **changes: Any) -> None:
+        self.show_mesher(attrs.evolve(self._mesher, **changes))
+        self.changed.emit(self._mesher)
+
+    def _explain(self) -> None:
+        explain(
+            self.names,
+            self.tr("Mesher"),
+            self.tr("The best one tries several ways and repairs what is left; the paper's is there to compare."),
+        )
+        explain(
+            self.preferences,
+            self.tr("What matters most"),
+            self.tr("Where one mesh cannot have both: no triangle that can be avoided, or the best worst element."),
+        )
+        explain(
+            self.grading,
+            self.tr("Grading"),
+            self.tr("How quickly elements may grow away from short edges: less makes more and better elements."),
+        )
