@@ -48,7 +48,7 @@ class ModeOptions(QObject):
         """Rows of a form: what is written at the left, and the control."""
         return (
             (self.tr("R&ules to meet"), self.rules),
-            (self.tr("Quality &floor"), self.floor),
+            (self.tr("Quality f&loor"), self.floor),
             (self.tr("Most &iterations"), self.iterations),
             (self.tr("Most &time"), self.seconds),
         )

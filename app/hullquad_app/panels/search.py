@@ -171,7 +171,7 @@ class SearchPanel(QWidget):
         self.words.setWordWrap(True)
         self.words.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self._form.setFieldGrowthPolicy(QFormLayout.FieldGrowthPolicy.AllNonFixedFieldsGrow)
-        self._form.addRow(self.tr("&Optimiser"), self.optimizer)
+        self._form.addRow(self.tr("Optimi&ser"), self.optimizer)
         self._form.addRow(self.words)
         self._form.addRow(self.tr("Optimise &by"), self.objective)
         self._form.addRow(self.weights)
