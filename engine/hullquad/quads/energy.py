@@ -5,9 +5,11 @@ A corner at x between the edges u (to the next node) and w (to the previous one)
     eta = (|u|^2 + |w|^2) / (2 J),   J = u x w,
 
 the reciprocal of the shape metric at that corner: 1 for a right angle between edges of equal length, infinite for
-a flat corner. The energy of a quad is the mean of eta^2 over its corners, minus 1; of a triangle that of its only
-eta = (sum of squared edges) / (2 sqrt(3) J). J is linear and the numerator quadratic in the place of one node, so
-that the energy of the elements around a node is convex in that place as long as all of them are valid.
+a flat corner; a triangle has one eta = (sum of squared edges) / (2 sqrt(3) J). J is linear and the numerator quadratic
+in the place of one node, so that every power of eta is convex in that place as long as the corner is open.
+
+Smoothing minimises the mean of eta^2 over the corners, summed over the elements. Decisions are made by the mean of
+eta^4, minus 1, which weighs bad corners more: that is the energy of an element.
 """
 
 from math import sqrt
@@ -15,8 +17,11 @@ from math import sqrt
 from hullquad.arrays import Floats, Longs
 from hullquad.metrics.compiled import compiled
 
-INVALID = 1e4
+INVALID = 1e6
 """Energy of an element without area; more where it is inverted."""
+
+MOST = 0.5 * INVALID
+"""No valid element has more."""
 
 TRIANGLE = 1.0
 """Added for a triangle."""
@@ -53,7 +58,7 @@ def _triangle_energy(nodes: Floats, a: int, b: int, c: int) -> float:
     if jacobian <= FLAT * squares:
         return INVALID * (2.0 - jacobian / squares) if squares > 0.0 else 2.0 * INVALID
     eta = squares / (TRIANGLE_SCALE * jacobian)
-    return eta * eta - 1.0 + TRIANGLE
+    return min((eta * eta) ** 2 - 1.0 + TRIANGLE, MOST)
 
 
 @compiled
@@ -69,10 +74,10 @@ def quad_energy(nodes: Floats, a: int, b: int, c: int, d: int) -> float:
             return 2.0 * INVALID
         if jacobian > FLAT * squares:
             eta = squares / (QUAD_SCALE * jacobian)
-            total += eta * eta
+            total += (eta * eta) ** 2
         least = min(least, jacobian / squares)
         before, here = here, after
         after = c if corner == 0 else (d if corner == 1 else a)
     if least <= FLAT:
         return INVALID * (2.0 - least)
-    return 0.25 * total - 1.0
+    return min(0.25 * total - 1.0, MOST)

@@ -15,6 +15,7 @@ from hullquad.quads.matching import matching
 from hullquad.quads.pairs import Pairs, pairs
 from hullquad.quads.repair import repair
 from hullquad.quads.settings import Preference
+from hullquad.quads.shaking import shake
 from hullquad.quads.smoothing import relax_all
 from hullquad.quads.stages import Draught, Step
 from hullquad.quads.trial import change, ground
@@ -24,6 +25,10 @@ _ATTEMPTS = 3
 _SWEEPS = 12
 _LAST_SWEEPS = 40
 _PASSES = 8
+_SHAKING = 150_000
+_MOST_SHAKES = 2000
+"""Shakes times elements, and shakes: small meshes are worth them."""
+_FEWEST_SHAKES = 100
 _NEAR = 0.02
 _NEARER = 0.001
 """Smoothing ends when no node moves farther than this part of the element size."""
@@ -75,6 +80,15 @@ def draughts(nodes: Floats, triangles: Ints, task: Task) -> Iterator[Draught]:
     yield _draught(Step.CLEANED, made, task)
     relax_all(made, _LAST_SWEEPS, _NEARER * task.size)
     yield _draught(Step.SMOOTHED, made, task)
+
+
+def shaken(finished_one: Draught, task: Task) -> Draught:
+    """A finished mesh shaken, the more often the smaller it is."""
+    made = draft(finished_one.nodes, finished_one.elements, task.given, task.rim_ideal)
+    times = min(_MOST_SHAKES, _SHAKING // len(finished_one.elements))
+    shake(made, change(), ground(made), times if times >= _FEWEST_SHAKES else 0)
+    relax_all(made, _LAST_SWEEPS, _NEARER * task.size)
+    return _draught(Step.SHAKEN, made, task)
 
 
 def _joined(nodes: Floats, triangles: Ints, task: Task) -> Draft:

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 import attrs
 import numpy as np
 
-from hullquad.quads.making import Task, draughts
+from hullquad.quads.making import Task, draughts, shaken
 from hullquad.quads.settings import MeshSettings
 from hullquad.quads.stages import Draught
 from hullquad.triangulation.contour import MOST_ELEMENTS, Contour
@@ -20,7 +20,7 @@ from hullquad.triangulation.points import aligned_points
 MOST_TRIANGLES = 4 * MOST_ELEMENTS
 """Two for each element, and as many again, so that a size that was allowed is never refused afterwards."""
 
-_EFFORT = 2400
+_EFFORT = 1200
 """Elements that all candidates together may have, about; the first one may have any number."""
 _NOTHING_LEFT = 0.02
 """Cost above the least possible below which no other candidate is tried."""
@@ -40,13 +40,13 @@ class Candidate:
 
 CANDIDATES = (
     Candidate(0.75),
+    Candidate(0.62, 0.7),
+    Candidate(0.88, 0.7),
+    Candidate(0.78, 0.5),
+    Candidate(0.0),
+    Candidate(0.56),
     Candidate(0.68),
     Candidate(0.82),
-    Candidate(0.75, 0.6),
-    Candidate(0.62, 0.6),
-    Candidate(0.0),
-    Candidate(0.88),
-    Candidate(0.70, 0.8),
 )
 
 
@@ -73,21 +73,20 @@ def trials(contour: Contour, settings: MeshSettings) -> Iterator[Trial]:
     """
     task = _task(contour, settings)
     guide = field(contour, settings.grading)
-    count, lowest = 1, np.inf
+    count, best = 1, None
     for number, candidate in enumerate(CANDIDATES):
-        if number == count:
-            return
+        if number == count or (best is not None and best.draught.cost < task.least_cost + _NOTHING_LEFT):
+            break
         made = _triangulated(contour, candidate, guide)
         for draught in draughts(made.nodes, made.triangles, task):
             yield Trial(number=number, count=count, draught=draught)
         if number == 0:
             count = max(1, min(len(CANDIDATES), _EFFORT // len(draught.elements)))
-        is_best = draught.cost < lowest
-        if is_best:
-            lowest = draught.cost
-            yield Trial(number=number, count=count, draught=draught, is_best=True)
-        if lowest < task.least_cost + _NOTHING_LEFT:
-            return
+        if best is None or draught.cost < best.draught.cost:
+            best = Trial(number=number, count=count, draught=draught, is_best=True)
+            yield best
+    if best is not None and best.draught.cost >= task.least_cost + _NOTHING_LEFT:
+        yield attrs.evolve(best, draught=shaken(best.draught, task))
 
 
 def _task(contour: Contour, settings: MeshSettings) -> Task:

@@ -1,4 +1,4 @@
-"""Nodes moved to where the energy of the elements around them is least, one after another.
+"""Nodes moved to where the sum of eta^2 of the elements around them is least, one after another (see `energy`).
 
 While all elements around a node are valid its energy is convex, and a guarded Newton step cannot fail; a node
 with an invalid element goes where the worst corner around it becomes best.

@@ -15,6 +15,7 @@ class Step(Enum):
     REPAIRED = "repaired"
     CLEANED = "cleaned"
     SMOOTHED = "smoothed"
+    SHAKEN = "shaken"
 
 
 @attrs.frozen(eq=False, kw_only=True)

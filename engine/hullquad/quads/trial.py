@@ -26,7 +26,7 @@ ELEMENT = 0.06
 RINGS = 2
 SWEEPS = 4
 
-NEVER = -1e9
+NEVER = -1e12
 """Gain of a change that cannot be."""
 
 

@@ -1,0 +1,74 @@
+"""A small mesh shaken: a change that costs something is made, and stays if cleaning up around it gains more.
+
+So clean-up gets out of states that no single change makes better. The changes are chosen by a generator of random
+numbers with a fixed seed: the same mesh is always shaken alike.
+"""
+
+import numpy as np
+
+from hullquad.arrays import Longs
+from hullquad.metrics.compiled import compiled
+from hullquad.quads.changes import PROPOSALS, propose
+from hullquad.quads.cleanup import clean_up
+from hullquad.quads.draft import ELEMENTS, Draft, corner_count
+from hullquad.quads.energy import element_energy
+from hullquad.quads.trial import ADDED, ELEMENT, Change, Ground, attempt
+
+DEAREST = -3.0
+"""Least gain of a change that is tried."""
+_PASSES = 3
+_SEED = 20
+_DRAWS = 5
+"""Random numbers for a change: three elements, of which the worst is taken, its node, and what to do there."""
+
+
+def shake(made: Draft, wish: Change, floor: Ground, times: int) -> None:
+    """Try so many changes, one after the other."""
+    draws = np.random.default_rng(_SEED).integers(0, 2**31, (times, _DRAWS))
+    saved = made.copied()
+    due = np.zeros(len(made.nodes), dtype=np.int64)
+    lowest = _price(made)
+    for draw in draws:
+        if not _kicked(made, wish, floor, draw, due):
+            continue
+        clean_up(made, wish, floor, _PASSES, due)
+        price = _price(made)
+        if price < lowest - 1e-6:
+            lowest = price
+            saved.restore(made)
+        else:
+            made.restore(saved)
+
+
+@compiled
+def _kicked(made: Draft, wish: Change, floor: Ground, draw: Longs, due: Longs) -> bool:
+    """Make a change that was drawn, if it is one that can be; the nodes of the new elements are due for clean-up."""
+    element, most = -1, -1.0
+    for i in range(3):
+        drawn = draw[i] % made.tallies[ELEMENTS]
+        if made.elements[drawn, 0] >= 0:
+            energy = element_energy(made.nodes, made.elements, drawn)
+            if energy > most:
+                element, most = drawn, energy
+    if element < 0:
+        return False
+    node = made.elements[element, draw[3] % corner_count(made.elements, element)]
+    if not propose(made, wish, node, draw[4] % (PROPOSALS * made.counts[node])):
+        return False
+    if attempt(made, wish, floor, 2, 4, DEAREST) <= DEAREST:
+        return False
+    due[:] = 0
+    for row in range(wish.tallies[ADDED]):
+        for corner in range(corner_count(made.elements, floor.rows[row])):
+            due[made.elements[floor.rows[row], corner]] = 1
+    return True
+
+
+@compiled
+def _price(made: Draft) -> float:
+    """Energy of all elements, and what they cost by their number."""
+    total = 0.0
+    for element in range(made.tallies[ELEMENTS]):
+        if made.elements[element, 0] >= 0:
+            total += element_energy(made.nodes, made.elements, element) + ELEMENT
+    return total
