@@ -1,0 +1,118 @@
+"""The best mesher: what holds on every plane sample plate, and the grids it must find."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from hullquad import pipeline
+from hullquad.formats import read_plates
+from hullquad.metrics import metric
+from hullquad.metrics.values import judged_values, valid_elements
+from hullquad.quads.settings import MeshSettings, Preference
+from hullquad.quads.stages import Step
+from hullquad.topology import edges
+from hullquad.triangulation.contour import Contour, contours
+
+PLATES = Path(__file__).parents[2] / "assets" / "plates"
+CONTOURS = {
+    f"{file.stem}-{key} {size}": contour
+    for file in sorted(PLATES.glob("*.json"))
+    for size in ("coarse", "fine")
+    for key, contour in contours(read_plates(file), size).items()
+}
+TEMPLATE = CONTOURS["hopper_partition-hopper_partition coarse"]
+
+
+def outline(corners: list[tuple[float, float]], size: float) -> Contour:
+    """Contour of a polygon whose edges are whole numbers of segments."""
+    rows, ring = [], np.array(corners, dtype=float)
+    for start, end in zip(ring, np.roll(ring, -1, axis=0), strict=True):
+        count = round(np.hypot(*(end - start)) / size)
+        rows.append(start + (np.arange(count) / count)[:, None] * (end - start))
+    return of_nodes(np.concatenate(rows), size)
+
+
+def of_nodes(nodes: np.ndarray, size: float) -> Contour:
+    return Contour(plate=TEMPLATE.plate, size=size, nodes=nodes, loop_starts=[0, len(nodes)])
+
+
+@pytest.mark.parametrize("name", CONTOURS)
+def test_a_sample_plate_has_only_the_triangles_that_its_contour_asks_for(name):
+    contour = CONTOURS[name]
+    mesh = pipeline.best_mesh(contour)
+    assert len(mesh.topology.triangles) == contour.triangles_unavoidable
+    assert mesh.points[: len(contour.points)].tobytes() == contour.points.tobytes()
+    assert valid_elements(mesh.points, mesh.topology.elements, mesh.normals).all()
+    found, counts = edges(mesh.topology.elements)
+    assert {tuple(e) for e in found[counts == 1].tolist()} == {tuple(sorted(e)) for e in contour.segments.tolist()}
+
+
+@pytest.mark.parametrize(
+    ("corners", "count"),
+    [
+        ([(0, 0), (800, 0), (800, 500), (0, 500)], 40),
+        ([(0, 0), (900, 0), (900, 300), (400, 300), (400, 800), (0, 800)], 47),
+    ],
+    ids=["rectangle", "L"],
+)
+def test_rectangles_and_l_shapes_become_exact_grids(corners, count):
+    mesh = pipeline.best_mesh(outline(corners, 100.0))
+    assert len(mesh.topology.quads) == len(mesh.topology.elements) == count
+    np.testing.assert_allclose(mesh.parameters, np.round(mesh.parameters / 100) * 100, atol=1e-3)
+
+
+def test_a_rectangle_keeps_the_spacing_of_each_pair_of_sides():
+    base = outline([(0, 0), (800, 0), (800, 500), (0, 500)], 100.0)
+    mesh = pipeline.best_mesh(of_nodes(base.nodes * [1.0, 1.1], 100.0))
+    assert len(mesh.topology.elements) == 40
+    values, _ = judged_values(metric("scaled_jacobian"), mesh.points, mesh.topology.quads, mesh.normals)
+    assert values.min() > 0.9999
+
+
+def test_fine_seeds_do_not_flood_a_plate():
+    base = outline([(0, 0), (2000, 0), (2000, 1000), (0, 1000)], 100.0)
+    fine = np.stack([np.linspace(1000, 1100, 11)[1:-1], np.zeros(9)], axis=1)
+    nodes = np.insert(base.nodes, 11, fine, axis=0)
+    mesh = pipeline.best_mesh(of_nodes(nodes, 100.0))
+    assert len(mesh.topology.elements) < 1.5 * 200
+
+
+def test_a_smaller_grading_makes_more_elements_around_fine_seeds():
+    contour = CONTOURS["floor_manholes_slots-floor_manholes_slots coarse"]
+    small, large = (len(pipeline.best_mesh(contour, "", MeshSettings(grading=g)).topology.elements) for g in (0.3, 0.9))
+    assert small > large
+
+
+def test_quality_may_be_preferred_to_the_fewest_triangles():
+    contour = CONTOURS["hopper_web_ring-hopper_web_ring coarse"]
+
+    def worst(prefer: Preference) -> float:
+        mesh = pipeline.best_mesh(contour, "", MeshSettings(prefer=prefer))
+        return float(judged_values(metric("shape"), mesh.points, mesh.topology.elements, mesh.normals)[0].min())
+
+    assert worst(Preference.QUALITY) >= worst(Preference.QUADS)
+
+
+def test_the_same_plate_gives_the_same_best_mesh():
+    one, other = (pipeline.best_mesh(CONTOURS["stool_plate-stool_plate coarse"]) for _ in range(2))
+    assert one.points.tobytes() == other.points.tobytes()
+    assert one.topology.elements.tobytes() == other.topology.elements.tobytes()
+
+
+def test_stages_begin_with_triangles_and_their_last_best_one_is_the_mesh():
+    contour = CONTOURS["stool_plate-stool_plate coarse"]
+    stages = list(pipeline.best_stages(contour))
+    assert stages[0].step is Step.TRIANGULATED
+    assert len(stages[0].mesh.topology.quads) == 0
+    best = [stage for stage in stages if stage.is_best][-1].mesh
+    assert best.points.tobytes() == pipeline.best_mesh(contour).points.tobytes()
+    for stage in stages:
+        assert stage.mesh.points[: len(contour.points)].tobytes() == contour.points.tobytes()
+
+
+def test_a_mesh_that_is_not_wanted_any_more_costs_nothing_more():
+    stages = pipeline.best_stages(CONTOURS["stool_plate-stool_plate fine"])
+    next(stages)
+    stages.close()
+    assert next(stages, None) is None
