@@ -142,7 +142,7 @@ def divided(value, factor):
 
 
 @given(documents())
-@settings(max_examples=150, **QUIET)
+@settings(max_examples=40, **QUIET)
 def test_any_document_is_read_again_as_it_was(tmp_path, described):
     described = json.loads(json.dumps(described))
     (tmp_path / "one.json").write_text(json.dumps(described), encoding="utf-8")

@@ -206,9 +206,8 @@ WITH_STAND_IN = [row.key for row in OBJECTIVES if row.group in {"Kniat, Table 1"
 
 @pytest.mark.parametrize("name", MODES)
 @pytest.mark.parametrize("key", WITH_STAND_IN)
-@pytest.mark.parametrize("seed", [0, 1])
-def test_no_run_ends_worse_than_it_began(some_mesh, name, key, seed):
-    mesh, aim = some_mesh(seed), objective(key)
+def test_no_run_ends_worse_than_it_began(some_mesh, name, key):
+    mesh, aim = some_mesh(WITH_STAND_IN.index(key)), objective(key)
     iterates = list(MODES[name](mesh, aim, QUICK_RUN))
     best = outcome(iterates).best.mesh
     assert rank_of(name, best, aim) >= rank_of(name, mesh, aim)
