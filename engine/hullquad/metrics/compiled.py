@@ -5,6 +5,10 @@ from typing import Any, ParamSpec, TypeVar, cast
 
 import numba
 
+from hullquad.metrics import code_folder
+
+code_folder.choose()
+
 _Parameters = ParamSpec("_Parameters")
 _Result = TypeVar("_Result")
 
