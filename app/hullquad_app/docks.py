@@ -24,6 +24,7 @@ _MOST = 0.45
 """Of the window's width, for that column."""
 _HEIGHTS = {"quality": 36, "objective": 25, "worst": 39}
 """Shares of the column."""
+_WHEN_MESHING = {"quality": 24, "objective": 18, "meshing": 58}
 _WHEN_INSPECTING = {"quality": 30, "element": 42, "worst": 28}
 _WHEN_CHOOSING = {"quality": 30, "search": 42, "worst": 28}
 
@@ -62,7 +63,7 @@ class Docks(QObject):
                 ("plates", self.tr("Plates"), self.plates),
             )
         }
-        self._shown = Scene()
+        self._shown, self._has_room = Scene(), False
 
     def arrange(self) -> None:
         """Put every panel where it is at first."""
@@ -98,8 +99,16 @@ class Docks(QObject):
         if scene.state.keys != before.state.keys:
             self._docks["plates"].setVisible(len(scene.state.keys) > 1)
         if (scene.mesh is None) != (before.mesh is None) or _source(scene) != _source(before):
-            self._docks["meshing" if scene.mesh is None and scene.plate is not None else "worst"].raise_()
+            is_to_mesh = scene.mesh is None and scene.plate is not None
+            self._docks["meshing" if is_to_mesh else "worst"].raise_()
             self._docks["objective"].raise_()
+            self._make_room(is_to_mesh=is_to_mesh)
+
+    def _make_room(self, *, is_to_mesh: bool) -> None:
+        """Give the form that meshes the room of the charts that are empty then, and take it back."""
+        if is_to_mesh != self._has_room:
+            self._has_room = is_to_mesh
+            self._share(_WHEN_MESHING if is_to_mesh else _HEIGHTS)
 
     def set_palette(self, palette: Palette, chosen: ColourMap) -> None:
         """Take the colours of a theme, and the map by which elements are coloured."""

@@ -209,6 +209,37 @@ def test_the_journey_from_a_sample_to_a_saved_mesh(window, qtbot, tmp_path, monk
     np.testing.assert_allclose(points(window), shown.points, rtol=1e-6)
 
 
+def test_the_journey_from_an_odd_contour_to_quads_alone(window, qtbot, tmp_path, monkeypatch):
+    open_sample(window, qtbot, "bracket_toe")
+    prospect = window.docks.meshing.prospect
+    qtbot.waitUntil(prospect.remedy.isVisible)
+    before = scene(window).state
+    assert "one node more or fewer on an edge makes it none" in prospect.sentence.text()
+    QTest.mouseClick(prospect.show_edge, LEFT)
+    QTest.mouseClick(prospect.remedy, LEFT)
+    qtbot.waitUntil(lambda: scene(window).state is not before)
+    edited = scene(window).state
+    qtbot.waitUntil(lambda: "Unavoidable triangles: 0" in prospect.sentence.text())
+    mesh(window, qtbot)
+    assert len(scene(window).mesh.topology.triangles) == 0
+
+    press(window, KEY.Key_Z, CONTROL)
+    assert scene(window).state is edited
+    press(window, KEY.Key_Z, CONTROL)
+    assert scene(window).state is before
+    press(window, KEY.Key_Y, CONTROL)
+
+    out = tmp_path / "toe.json"
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(out), ""))
+    assert window.isWindowModified()
+    window.actions_by_name["choose_plates_output"].trigger()
+    qtbot.waitUntil(lambda: not window.isWindowModified(), timeout=20_000)
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(out), ""))
+    press(window, KEY.Key_O, CONTROL)
+    qtbot.waitUntil(lambda: scene(window).state.path == out, timeout=20_000)
+    assert scene(window).plate.divisions == edited.plates.plates[0].divisions
+
+
 def test_dragging_the_limit_colours_and_counts_anew(meshed, qtbot):
     before = scene(meshed).quality.failing_count
     chart = meshed.docks.quality.chart
@@ -452,6 +483,42 @@ def test_leaving_without_a_mesh_does_not_offer_to_save(meshed, answers):
     given["buttons"] = ["Cancel"]
     meshed.filing.leave(lambda: None)
     assert "no mesh" in asked[0]
+
+
+@pytest.fixture
+def edited(window, qtbot):
+    """The window with a plate whose contour was made even, meshed."""
+    open_sample(window, qtbot, "bracket_toe")
+    qtbot.waitUntil(window.docks.meshing.prospect.remedy.isVisible)
+    before = scene(window).state
+    QTest.mouseClick(window.docks.meshing.prospect.remedy, LEFT)
+    qtbot.waitUntil(lambda: scene(window).state is not before)
+    mesh(window, qtbot)
+    return window
+
+
+@pytest.mark.parametrize(
+    ("given_answers", "questions", "goes"),
+    [(["Cancel"], 1, False), (["Discard", "Discard"], 2, True), (["Discard", "Cancel"], 2, False)],
+)
+def test_leaving_asks_for_plates_and_then_for_meshes(edited, answers, given_answers, questions, goes):
+    given, asked = answers
+    given["buttons"] = list(given_answers)
+    gone = []
+    edited.filing.leave(lambda: gone.append(1))
+    assert (len(asked), bool(gone)) == (questions, goes)
+    assert "plates" in asked[0]
+
+
+def test_leaving_saves_plates_and_then_meshes(edited, answers, qtbot, tmp_path):
+    given, asked = answers
+    given.update(file=tmp_path / "toe", buttons=["Save", "Save"])
+    gone = []
+    edited.filing.leave(lambda: gone.append(1))
+    qtbot.waitUntil(lambda: gone == [1], timeout=5000)
+    assert len(asked) == 2
+    assert {path.name for path in tmp_path.glob("toe*")} == {"toe.json", "toe.vtu"}
+    assert not edited.isWindowModified()
 
 
 def test_what_was_said_during_a_run_stays_when_it_ends(meshed, qtbot):

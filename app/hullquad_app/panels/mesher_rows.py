@@ -5,13 +5,15 @@ from typing import Any
 
 import attrs
 from PySide6.QtCore import QObject, QSignalBlocker, Signal
-from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QFormLayout
+from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QFormLayout, QHBoxLayout, QLabel
 
 from hullquad.quads.settings import LARGEST_GRADING, LEAST_GRADING, Preference
 from hullquad_app.mesher import BEST, PAPER, Mesher
 from hullquad_app.panels.explained import explain
 
 _STEP = 0.05
+_LETTERS = 8
+"""Width that a box has at least."""
 
 
 class MesherRows(QObject):
@@ -22,7 +24,7 @@ class MesherRows(QObject):
 
     def __init__(self) -> None:
         super().__init__()
-        self._mesher, self._form = Mesher(), QFormLayout()
+        self._mesher, self._form, self._options = Mesher(), QFormLayout(), QHBoxLayout()
         self.names, self.preferences = QComboBox(), QComboBox()
         self.grading = QDoubleSpinBox(minimum=LEAST_GRADING, maximum=LARGEST_GRADING, singleStep=_STEP)
         self.grading.setKeyboardTracking(False)
@@ -30,6 +32,9 @@ class MesherRows(QObject):
         self.names.addItem(self.tr("paper: Delaunay, advancing front"), PAPER)
         self.preferences.addItem(self.tr("fewest triangles"), Preference.QUADS.value)
         self.preferences.addItem(self.tr("best worst element"), Preference.QUALITY.value)
+        for box in (self.names, self.preferences):
+            box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+            box.setMinimumContentsLength(_LETTERS)
         self._explain()
         self.names.activated.connect(lambda: self._change(name=self.names.currentData()))
         self.preferences.activated.connect(lambda: self._change(prefer=self.preferences.currentData()))
@@ -39,8 +44,14 @@ class MesherRows(QObject):
         """Put the boxes into a form."""
         self._form = form
         form.addRow(self.tr("M&esher"), self.names)
-        form.addRow(self.tr("P&refer"), self.preferences)
-        form.addRow(self.tr("&Grading"), self.grading)
+        grading = QLabel(self.tr("&Grading"))
+        grading.setBuddy(self.grading)
+        self._options.addWidget(self.preferences, stretch=1)
+        self._options.addWidget(grading)
+        self._options.addWidget(self.grading)
+        prefer = QLabel(self.tr("P&refer"))
+        prefer.setBuddy(self.preferences)
+        form.addRow(prefer, self._options)
         self.show_mesher(self._mesher)
 
     def show_mesher(self, mesher: Mesher) -> None:
@@ -52,8 +63,8 @@ class MesherRows(QObject):
             self.names.setCurrentIndex(self.names.findData(mesher.name))
             self.preferences.setCurrentIndex(self.preferences.findData(mesher.prefer))
             self.grading.setValue(mesher.grading)
-        for box in (self.preferences, self.grading):
-            self._form.setRowVisible(box, mesher.name == BEST)
+        if self._options.count():
+            self._form.setRowVisible(self._options, mesher.name == BEST)
 
     def _change(self, **changes: Any) -> None:
         self.show_mesher(attrs.evolve(self._mesher, **changes))

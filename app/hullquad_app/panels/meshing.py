@@ -181,6 +181,7 @@ class MeshingPanel(QWidget):
         column.addLayout(form)
         column.addWidget(self.prospect)
         column.addLayout(buttons)
+        column.addWidget(self.prospect.notices)
         column.addStretch()
 
 

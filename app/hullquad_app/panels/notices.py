@@ -3,12 +3,13 @@
 from collections.abc import Sequence
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtWidgets import QAbstractItemView, QListWidget, QListWidgetItem
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QAbstractItemView, QListView, QListWidget, QListWidgetItem, QSizePolicy
 
 from hullquad.plate import Notice
 from hullquad_app.panels.explained import explain
 
-_LINES = 6
+_LINES = 7
 """Height that it has at most, in lines of text."""
 
 
@@ -21,6 +22,8 @@ class NoticeList(QListWidget):
     def __init__(self) -> None:
         super().__init__()
         self.setWordWrap(True)
+        self.setResizeMode(QListView.ResizeMode.Adjust)
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         explain(self, self.tr("What to look at"), self.tr("A click shows on the plate where it is."))
@@ -45,9 +48,11 @@ class NoticeList(QListWidget):
         most = _LINES * self.fontMetrics().lineSpacing()
         return QSize(super().sizeHint().width(), min(rows, most) + 2 * self.frameWidth())
 
-    def minimumSizeHint(self) -> QSize:
-        """No less: the panel scrolls."""
-        return QSize(super().minimumSizeHint().width(), self.sizeHint().height())
+    def resizeEvent(self, resize: QResizeEvent) -> None:
+        """Rows that are broken otherwise have another height."""
+        super().resizeEvent(resize)
+        if resize.oldSize().width() != resize.size().width():
+            self.updateGeometry()
 
     def _want(self, row: QListWidgetItem) -> None:
         self.place_wanted.emit(row.data(Qt.ItemDataRole.UserRole))

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 class Prospect(QWidget):
-    """Tells it of one plate, at the element size that is chosen."""
+    """Tells it of one plate, at the element size that is chosen; its list of notices finds its place in the panel."""
 
     remedy_wanted = Signal(object)
     """Emitted with a `Remedy`, when it is to be carried out."""
@@ -153,4 +153,3 @@ class Prospect(QWidget):
         column.addWidget(self.sentence)
         column.addLayout(first)
         column.addLayout(second)
-        column.addWidget(self.notices)
