@@ -31,7 +31,7 @@ GRADIENT = Stop(
 )
 GAIN = Stop(
     "gain",
-    "the best sum has hardly grown over the last iterations",
+    "the last iterations have hardly gained anything",
     "Converged: going on would gain next to nothing. A smaller element size or another metric changes more.",
 )
 _MOST_NAMED = 12
