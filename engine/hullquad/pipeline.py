@@ -191,7 +191,7 @@ def prepare_meshing() -> None:
     mesh = _little_mesh()
     triangles = np.array([[0, 1, 3], [1, 4, 3], [0, 3, 6]], dtype=np.int32)
     possible = pairs(mesh.points, triangles, mesh.normals)
-    joins(possible)
+    list(joins(possible))
     list(augment(possible, set()))
 
 
