@@ -127,12 +127,16 @@ from hullquad.triangulation.contour import contours
 import attrs, sys
 pipeline.prepare()
 from hullquad.metrics import kernels, machine, quad, vectors
-from hullquad.quads import augment, front
-known = lambda: {(m.__name__, n): len(f.signatures) for m in (kernels, machine, quad, vectors, augment, front)
+from hullquad.quads import augment, cleanup, cost, draft, front, matching, opening, repair, shaking, smoothing, walk
+from hullquad.triangulation import points
+modules = (kernels, machine, quad, vectors, augment, front, matching, draft, smoothing, cleanup, walk, opening, repair,
+           shaking, cost, points)
+known = lambda: {(m.__name__, n): len(f.signatures) for m in modules
                  for n, f in vars(m).items() if hasattr(f, "signatures")}
 before = known()
 document = read_plates(Path(sys.argv[1]))
 for contour in contours(document, "fine").values():
+    pipeline.best_mesh(contour)
     mesh = pipeline.paper_mesh(contour)
     for row in METRICS:
         best = list(paper_iterates(mesh, row, PaperSettings(iterations=2)))[-1].mesh

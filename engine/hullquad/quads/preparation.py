@@ -7,6 +7,7 @@ from hullquad.quads.making import Task, draughts
 from hullquad.quads.matching import improved
 from hullquad.quads.pairs import pairs
 from hullquad.quads.repair import repair
+from hullquad.quads.shaking import shake
 from hullquad.quads.trial import change, ground
 from hullquad.triangulation.field import Field
 from hullquad.triangulation.points import aligned_points
@@ -25,6 +26,7 @@ def prepare_kernels() -> None:
     improved(possible, {0}, possible.scores, np.zeros(8))
     made = draft(nodes, np.pad(triangles, ((0, 0), (0, 1)), constant_values=-1), 8, task.rim_ideal)
     repair(made, change(), ground(made), 0)
+    shake(made, change(), ground(made), 1)
     guide = Field(
         nodes=nodes,
         triangles=triangles,
