@@ -83,10 +83,10 @@ def pairs(
     neighbours, pair_across = np.full((2, *triangles.shape), -1, dtype=np.int32)
     neighbours[one, side], neighbours[other, other_side] = other, one
     if held is not None:
-        hopeful = ~acceptable & _may_be_mended(
-            points, quads, normals, neighbours, (one, side), (other, other_side), held
-        )
-        scores, acceptable = np.where(hopeful, HOPE, scores), acceptable | hopeful
+        rest = np.flatnonzero(~acceptable)
+        ways = (one[rest], side[rest]), (other[rest], other_side[rest])
+        hopeful = rest[_may_be_mended(points, quads[rest], normals, neighbours, *ways, held)]
+        scores[hopeful], acceptable[hopeful] = HOPE, True
     row = np.where(acceptable, np.cumsum(acceptable) - 1, -1)
     pair_across[one, side] = pair_across[other, other_side] = row
     return Pairs(
