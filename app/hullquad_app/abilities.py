@@ -17,7 +17,7 @@ class Abilities:
     can_pause: bool = False
     can_reset: bool = False
     can_scrub: bool = False
-    """There is more than one iterate."""
+    """There is more than one iterate, or the making of the mesh to show."""
     can_mesh: bool = False
     """The plate that is shown."""
     can_mesh_all: bool = False
@@ -43,7 +43,7 @@ def abilities(document: Document, jobs: Jobs) -> Abilities:
         can_untangle=is_idle and scene.quality is not None and scene.quality.inverted_count > 0,
         can_pause=scene.running,
         can_reset=iterates > 1,
-        can_scrub=iterates > 1,
+        can_scrub=iterates > 1 or (scene.track is not None and bool(scene.track.making)),
         can_mesh=scene.plate is not None and scene.plate.is_plane and not is_meshing and not is_opening,
         can_mesh_all=plates is not None and len(plates.plates) > 1 and not is_meshing and not is_opening,
         can_cancel=is_meshing or is_opening,

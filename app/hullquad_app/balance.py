@@ -61,9 +61,10 @@ class Balance:
 
 def balance(scene: Scene, known: Balance | None = None) -> Balance | None:
     """The balance of the run that the shown iterate came of; sides that are known are not computed again."""
-    track, now = scene.track, scene.iterate
-    if track is None or now is None:
+    track = scene.track
+    if track is None:
         return None
+    now = track.iterates[scene.position]
     passage = track.passage_at(now.number)
     by = Objective((Term(now.quality.metric),)) if passage is None else passage.objective
     start = track.first if passage is None else track.iterates[track.row(passage.start)]

@@ -16,7 +16,7 @@ class Bookmarks:
         if not scene.running:
             keys = scene.state.keys
             self._shown = {key: iterate for key, iterate in self._shown.items() if key in keys}
-            if scene.view.key is not None and scene.iterate is not None:
+            if scene.view.key is not None and scene.iterate is not None and scene.stage is None:
                 self._shown[scene.view.key] = scene.iterate
 
     def row(self, key: str, track: Track) -> int:

@@ -11,6 +11,7 @@ from hullquad_app.metric_words import name_of
 from hullquad_app.panels.figures import counted, valued
 from hullquad_app.pen import Pen
 from hullquad_app.scene import Scene
+from hullquad_app.stage_words import stage_words
 
 if TYPE_CHECKING:
     from hullquad.rules import Assessment
@@ -43,7 +44,9 @@ def _line(scene: Scene, quality: Quality) -> str:
     count = len(quality.values)
     parts = [scene.plate.id] if scene.plate is not None and scene.plate.title else []
     parts += _yardstick(scene, quality)
-    if scene.track is not None and len(scene.track.iterates) > 1 and scene.iterate is not None:
+    if scene.stage is not None and scene.iterate is not None:
+        parts.append(stage_words(scene.iterate.stage))
+    elif scene.track is not None and len(scene.track.iterates) > 1 and scene.iterate is not None:
         last = scene.track.last.number
         parts.append(_tr("iteration {number} of {last}").format(number=scene.iterate.number, last=last))
     parts.append(_tr("1 element") if count == 1 else _tr("{count} elements").format(count=counted(count)))

@@ -49,13 +49,13 @@ class Document(QObject):
         Afterwards the plate `key` (None: the present one) is shown, and the iterate at `position` (-1: the last).
         """
         before = self._settled()
-        view = attrs.evolve(before.view, key=key or before.view.key, position=position)
+        view = attrs.evolve(before.view, key=key or before.view.key, position=position, stage=None)
         self.edits.push(_Change(self, label, before, resolved(before, after, view)))
 
     def open(self, state: State) -> None:
         """Begin with another document; what was done to the one before cannot be undone any more."""
         self.edits.clear()
-        view = attrs.evolve(self.scene.view, key=None, position=-1, selection=frozenset())
+        view = attrs.evolve(self.scene.view, key=None, position=-1, stage=None, selection=frozenset())
         self._set(resolved(Scene(), state, view))
 
     def look(self, **view: Any) -> None:
@@ -78,7 +78,7 @@ class Document(QObject):
 
     def restore(self, scene: Scene) -> None:
         """Show the state, plate and iterate of a scene; metric and limits stay as they are now."""
-        view = attrs.evolve(self.scene.view, key=scene.view.key, position=scene.position)
+        view = attrs.evolve(self.scene.view, key=scene.view.key, position=scene.position, stage=None)
         self._set(resolved(self.scene, scene.state, view))
 
     def _settled(self) -> Scene:

@@ -94,7 +94,7 @@ class HistoryBar(QWidget):
     def show_scene(self, scene: Scene) -> None:
         """Show where a scene stands in its track."""
         before, self._scene = self._scene, scene
-        if scene.track is not before.track or scene.position != before.position:
+        if (scene.track, scene.position, scene.stage) != (before.track, before.position, before.stage):
             self._show()
 
     def set_palette(self, palette: Palette, _: ColourMap = COLOUR_MAPS[0]) -> None:
@@ -114,26 +114,28 @@ class HistoryBar(QWidget):
             self._show()
 
     def _show(self) -> None:
-        track, position = self._scene.track, self._scene.position
-        iterates = () if track is None else track.iterates
+        track, position, stage = self._scene.track, self._scene.position, self._scene.stage
+        iterates, making = ((), ()) if track is None else (track.iterates, track.making)
         numbers = (0, 0) if track is None else (iterates[position].number, track.last.number)
         best = max((row for row, iterate in enumerate(iterates) if iterate.is_best), default=None)
         with QSignalBlocker(self.slider):
-            self.slider.setEnabled(len(iterates) > 1)
-            self.slider.setRange(0, max(len(iterates) - 1, 0))
+            self.slider.setEnabled(len(iterates) + len(making) > 1)
+            self.slider.setRange(-len(making), max(len(iterates) - 1, 0))
             self.slider.setPageStep(max(len(iterates) // 10, 1))
             if not self.slider.isSliderDown():
-                self.slider.setValue(position)
+                self.slider.setValue(position if stage is None else stage - len(making))
         self.slider.mark(best, QColor(self._palette.accent))
-        self._show_stage(iterates, position)
+        self._show_stage((*making, *iterates))
         self.place.setText(self._words(*map(str, numbers)) if iterates else "")
+        if stage is not None:
+            self.place.setText(self.tr("making {number} of {last}").format(number=stage + 1, last=len(making)))
         digits = "0" * max(len(str(numbers[1])), _LEAST_DIGITS)
         self.place.setFixedWidth(self.place.fontMetrics().horizontalAdvance(self._words(digits, digits)) + 2)
 
-    def _show_stage(self, iterates: Sequence[Iterate], position: int) -> None:
+    def _show_stage(self, iterates: Sequence[Iterate]) -> None:
         """Name the stage of the shown iterate, in a place that is wide enough for all of them."""
         words = {stage: stage_words(stage) for stage in {iterate.stage for iterate in iterates}}
-        self.stage.setText(words[iterates[position].stage] if iterates else "")
+        self.stage.setText("" if self._scene.iterate is None else words[self._scene.iterate.stage])
         self.stage.setVisible(any(words.values()))
         advances = [self.stage.fontMetrics().horizontalAdvance(text) for text in words.values()]
         self.stage.setFixedWidth(max(advances, default=0) + 2)

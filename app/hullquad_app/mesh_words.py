@@ -6,14 +6,13 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 
 from hullquad.mesh import Mesh
-from hullquad.quads.stages import Step
 from hullquad_app.mesher import BEST, PAPER
 from hullquad_app.panels.figures import counted
 
 if TYPE_CHECKING:
     from hullquad.pipeline import MeshStage
 
-_STEPS = {
+STEPS = {
     "triangulated": str(QT_TRANSLATE_NOOP("MeshWords", "triangulated")),
     "joined": str(QT_TRANSLATE_NOOP("MeshWords", "triangles joined to quads")),
     "repaired": str(QT_TRANSLATE_NOOP("MeshWords", "triangles repaired")),
@@ -27,9 +26,9 @@ _MESHERS = {
 }
 
 
-def step_words(step: Step) -> str:
-    """What has just been done."""
-    return _tr(_STEPS[step.value]) if step.value in _STEPS else step.value
+def step_words(step: str) -> str:
+    """What has just been done, by the value of its `Step`."""
+    return _tr(STEPS[step]) if step in STEPS else step
 
 
 def mesher_words(name: str) -> str:
@@ -42,7 +41,7 @@ def stage_progress(plate: str, stage: "MeshStage") -> str:
     text = _tr("Meshing {plate}: {step}")
     if stage.candidates > 1:
         text = _tr("Meshing {plate}: {step}, candidate {number} of {count}")
-    words = step_words(stage.step)
+    words = step_words(stage.step.value)
     return text.format(plate=plate, step=words, number=stage.candidate + 1, count=stage.candidates)
 
 

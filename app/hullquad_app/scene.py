@@ -59,6 +59,8 @@ class View:
     """The plate that is shown."""
     position: int = -1
     """Which iterate of its track; -1 the last."""
+    stage: int | None = None
+    """Which stage of the mesh's making is shown instead of it; None shows the iterate."""
     metric: Metric = attrs.field(factory=lambda: metric("stretch"))
     bands: Mapping[str, Band] = attrs.field(factory=dict)
     """What the user accepts by metric key, where it differs from the metric's own band."""
@@ -80,6 +82,8 @@ class Scene:
     """Of the plate that is shown; while a run goes on, with its iterates so far."""
     position: int = 0
     """Of the shown iterate in the track."""
+    stage: int | None = None
+    """Of the shown stage of the mesh's making; None where the iterate is shown."""
     quality: Quality | None = None
     """Quality of the shown mesh by the chosen metric and limit: one value for view, histogram, table, status bar."""
     first_quality: Quality | None = None
@@ -90,12 +94,14 @@ class Scene:
 
     @property
     def iterate(self) -> Iterate | None:
-        """The shown iterate."""
-        return None if self.track is None else self.track.iterates[self.position]
+        """The shown iterate, or stage of the making."""
+        if self.track is None:
+            return None
+        return self.track.iterates[self.position] if self.stage is None else self.track.making[self.stage]
 
     @property
     def mesh(self) -> Mesh | None:
-        """The mesh that is shown, saved, pictured and continued from."""
+        """The mesh that is shown and pictured; it is saved and continued from unless it is a stage of the making."""
         return None if self.iterate is None else self.iterate.mesh
 
     @property
@@ -140,7 +146,9 @@ def resolved(
     track = running or (None if key is None else state.tracks.get(key))
     count = 0 if track is None else len(track.iterates)
     position = count - 1 if view.position < 0 else min(view.position, count - 1)
-    shown = None if track is None else track.iterates[position]
+    has_stage = not running and track is not None and view.stage is not None and view.stage < len(track.making)
+    stage = view.stage if has_stage else None
+    shown = None if track is None else track.iterates[position] if stage is None else track.making[stage]
     selection = view.selection if shown is not None and _shares_elements(shown, before.iterate) else frozenset()
     quality = _judged(shown, view, before)
     return Scene(
@@ -149,6 +157,7 @@ def resolved(
         plate=None if key is None else state.plate(key),
         track=track,
         position=max(position, 0),
+        stage=stage,
         quality=quality,
         first_quality=quality if track is None or shown is track.first else _judged(track.first, view, before),
         verdict=_verdict(shown, quality, view, before.verdict, keeps=keeps_verdict),

@@ -24,7 +24,6 @@ from hullquad_app.plan import UNTANGLE, plan, planned
 from hullquad_app.scene import Scene
 from hullquad_app.search import Search
 from hullquad_app.settings import Settings
-from hullquad_app.track import Track
 from hullquad_app.workshop import Workshop
 
 if TYPE_CHECKING:
@@ -133,8 +132,13 @@ class Session(QObject):
         return list(self._files(Path(path)))
 
     def step(self) -> None:
-        """One iteration from the iterate that is shown; while a step goes on, another one after it."""
-        if self.optimizer.is_stepping:
+        """One iteration from the iterate that is shown; while a step goes on, another one after it.
+
+        From a stage of the mesh's making to the next one.
+        """
+        if self.document.scene.stage is not None:
+            self.scrub_by(1)
+        elif self.optimizer.is_stepping:
             self.optimizer.step_again()
         else:
             self._optimize(steps=1)
@@ -158,21 +162,26 @@ class Session(QObject):
         self.optimizer.finish()
         scene = self.document.scene
         if scene.track is not None and scene.view.key is not None and len(scene.track.iterates) > 1:
-            after = scene.state.with_track(scene.view.key, Track((scene.track.first,)))
+            after = scene.state.with_track(scene.view.key, scene.track.as_made)
             self.document.change(self.tr("Reset {plate}").format(plate=scene.view.key), after)
 
     def scrub(self, position: int) -> None:
-        """Show an iterate; while a run goes on it goes on behind it."""
+        """Show an iterate; while a run goes on it goes on behind it. Below 0 are the stages of the mesh's making."""
+        track = self.document.scene.track
         if self.optimizer.is_running:
             self.optimizer.hold(position)
+        elif position < 0 and track is not None:
+            self.document.look(stage=max(len(track.making) + position, 0))
         else:
-            self.document.look(position=position)
+            self.document.look(position=position, stage=None)
 
     def scrub_by(self, iterates: int) -> None:
         """Show an iterate further on, or back."""
         scene = self.document.scene
         if scene.track is not None:
-            self.scrub(min(max(scene.position + iterates, 0), len(scene.track.iterates) - 1))
+            stages = len(scene.track.making)
+            now = scene.position if scene.stage is None else scene.stage - stages
+            self.scrub(min(max(now + iterates, -stages), len(scene.track.iterates) - 1))
 
     def choose_metric(self, key: str) -> None:
         """Show, and optimise by, another metric."""
@@ -184,7 +193,7 @@ class Session(QObject):
         """Show another plate, at the iterate where it was left."""
         self.optimizer.finish()
         track = self.document.scene.state.tracks.get(key)
-        self.document.look(key=key, position=-1 if track is None else self._bookmarks.row(key, track))
+        self.document.look(key=key, position=-1 if track is None else self._bookmarks.row(key, track), stage=None)
 
     def select(self, rows: Iterable[int], *, extend: bool = False) -> None:
         """Select elements; `extend` adds them, or takes them away if all of them are selected."""
@@ -250,6 +259,8 @@ class Session(QObject):
             job.ended.connect(self._tell_able)
 
     def _optimize(self, steps: int | None) -> None:
+        if self.document.scene.stage is not None:
+            self.scrub(0)
         asked = plan(self.document.scene, self.settings)
         if asked.optimizer.has_rules and asked.rules is None:
             self.message.emit(self.tr("Which rules are to be met? Choose a rule set to judge by first."))

@@ -2,6 +2,8 @@
 
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 
+from hullquad_app.mesh_words import STEPS, step_words
+
 _WORDS = {
     "untangle": str(QT_TRANSLATE_NOOP("Stage", "open folds")),
     "even out": str(QT_TRANSLATE_NOOP("Stage", "even out")),
@@ -15,6 +17,8 @@ def stage_words(stage: str) -> str:
     """What the optimiser was about; exponents as they are: ``p = 16``."""
     if stage.startswith(_THEN_THE_SUM):
         return _tr("sum, {stage}").format(stage=stage.removeprefix(_THEN_THE_SUM))
+    if stage in STEPS:
+        return step_words(stage)
     return _tr(_WORDS[stage]) if stage in _WORDS else stage
 
 

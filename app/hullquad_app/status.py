@@ -102,6 +102,10 @@ class StatusBar(QStatusBar):
             return " · ".join(filter(None, (self.tr("running"), _stage(scene))))
         if scene.track is None or scene.iterate is None:
             return ""
+        if scene.stage is not None:
+            making = self.tr("making of the mesh, {number} of {last}: {step}")
+            last = len(scene.track.making)
+            return making.format(number=scene.stage + 1, last=last, step=_stage(scene))
         stop, last = scene.track.last.stop, scene.track.last.number
         ended = "" if stop is None else self.tr("stopped at {last}: {why}").format(last=last, why=stop.reason)
         if scene.iterate is scene.track.last:
@@ -117,7 +121,7 @@ class StatusBar(QStatusBar):
         by, run = optimised_by(scene.view.metric), scene.iterate.quality.metric
         text = f"Σ {name_of(by)} {summed(self._sums[scene.mesh][1], by)}"
         weighted = self._weighted(scene.iterate)
-        if (run is not by or weighted) and scene.iterate.number:
+        if (run is not by or weighted) and scene.iterate.number > 0:
             other, name = (
                 self.tr("optimised by {metric}: {sum}"),
                 objective_name(weighted) if weighted else name_of(run),

@@ -23,6 +23,8 @@ class Track:
     iterates: tuple[Iterate, ...]
     passages: tuple[Passage, ...] = ()
     """The runs that they came of, as far as that is known."""
+    making: tuple[Iterate, ...] = ()
+    """What the first one was made from, step by step: triangles, quads and what was done to them; numbers below 0."""
 
     @property
     def first(self) -> Iterate:
@@ -37,7 +39,13 @@ class Track:
     def until(self, position: int) -> "Track":
         """The track up to that iterate: what a run that starts there goes on from."""
         kept = self.iterates[: position + 1]
-        return Track(kept, tuple(passage for passage in self.passages if passage.start < kept[-1].number))
+        passages = tuple(passage for passage in self.passages if passage.start < kept[-1].number)
+        return attrs.evolve(self, iterates=kept, passages=passages)
+
+    @property
+    def as_made(self) -> "Track":
+        """The track without all that was done to the mesh after it was made or loaded."""
+        return attrs.evolve(self, iterates=(self.first,), passages=())
 
     def with_passage(self, passage: Passage) -> "Track":
         """The track with what is known of its last run; what was known of it before is out of date."""

@@ -16,6 +16,7 @@ from hullquad import worker
 from hullquad.errors import HullquadError, MeshingError, PlateError
 from hullquad.mesh import Mesh
 from hullquad.metrics import Metric
+from hullquad.optimization.iterate import Iterate
 from hullquad.plate import Document
 from hullquad.quality import quality
 from hullquad_app.dividing import redivided
@@ -23,9 +24,10 @@ from hullquad_app.division import Attempt, Size, division
 from hullquad_app.mesh_words import stage_progress
 from hullquad_app.mesher import PAPER, Mesher
 from hullquad_app.scene import State
-from hullquad_app.track import Track
+from hullquad_app.track import BUDGET, Track, thinned
 
 if TYPE_CHECKING:
+    from hullquad.pipeline import MeshStage
     from hullquad.triangulation.contour import Contour
     from hullquad.triangulation.remedies import Remedy
 
@@ -122,8 +124,8 @@ def meshed(
         so_far = (i, len(keys)) if len(keys) > 1 else (0, 0)
         yield Progress(_translated("Meshing {plate}").format(plate=key), *so_far)
         try:
-            mesh = yield from _made(_contour(contours, key), state.plates.input_hash, mesher, so_far)
-            tracks[key] = _track(mesh, metric)
+            mesh, making = yield from _made(_contour(contours, key), state.plates.input_hash, mesher, so_far)
+            tracks[key] = attrs.evolve(_track(mesh, metric), making=_making(making, metric))
         except HullquadError as error:
             refused[key] = error
     return Meshed(state.plates, mesher, tracks, refused)
@@ -143,17 +145,31 @@ def saved(files: Mapping[Path, Mesh], metric: Metric) -> Work:
 
 def _made(
     contour: "Contour", input_hash: str, mesher: Mesher, so_far: tuple[int, int]
-) -> Generator[Progress, None, Mesh]:
-    """The mesh of a plate; its stages are made as they are asked for, so that not asking cancels."""
+) -> Generator[Progress, None, tuple[Mesh, Sequence["MeshStage"]]]:
+    """The mesh of a plate, and the stages of its making; they are made when asked for, so that not asking cancels."""
     from hullquad import pipeline  # noqa: PLC0415
 
     if mesher.name == PAPER:
-        return pipeline.paper_mesh(contour, input_hash)
+        return pipeline.paper_mesh(contour, input_hash), ()
+    stages: list[MeshStage] = []
     for stage in pipeline.best_stages(contour, input_hash, mesher.settings):
         yield Progress(stage_progress(contour.plate.id, stage), *so_far)
         if stage.is_best:
-            best = stage.mesh
-    return best
+            best = stage
+        else:
+            stages.append(stage)
+    return best.mesh, [stage for stage in stages if stage.candidate == best.candidate and stage.step is not best.step]
+
+
+def _making(stages: Sequence["MeshStage"], metric: Metric) -> tuple[Iterate, ...]:
+    """The stages as iterates that count up to the finished mesh, thinned to the budget of a track."""
+    from hullquad.optimization.paper import unmoved  # noqa: PLC0415
+
+    iterates = [
+        attrs.evolve(unmoved(stage.mesh, metric), number=row - len(stages), is_best=False, stage=stage.step.value)
+        for row, stage in enumerate(stages)
+    ]
+    return tuple(thinned(iterates, BUDGET))
 
 
 def plates_saved(plates: Document, path: Path) -> Work:

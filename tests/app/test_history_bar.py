@@ -34,6 +34,17 @@ def test_numbers_that_are_missing_are_told_as_they_are(bar, walked):
     assert bar.slider.maximum() == 3
 
 
+def test_the_making_of_a_mesh_comes_before_its_first_iterate(bar, qtbot, walked):
+    stages = tuple(attrs.evolve(walked.first, number=row - 2, stage=("triangulated", "joined")[row]) for row in (0, 1))
+    track = attrs.evolve(walked, making=stages)
+    bar.show_scene(scene(track, 0, stage=1))
+    assert (bar.slider.minimum(), bar.slider.value(), bar.slider.maximum()) == (-2, -1, 12)
+    assert (bar.place.text(), bar.stage.text()) == ("making 2 of 2", "triangles joined to quads")
+    with qtbot.waitSignal(bar.position_chosen) as signal:
+        qtbot.keyClick(bar.slider, Qt.Key.Key_Home)
+    assert signal.args == [-2]
+
+
 def test_its_text_keeps_its_width(bar, walked):
     bar.show_scene(scene(walked, 5))
     width = bar.place.width()

@@ -240,6 +240,24 @@ def test_the_journey_from_an_odd_contour_to_quads_alone(window, qtbot, tmp_path,
     assert scene(window).plate.divisions == edited.plates.plates[0].divisions
 
 
+def test_the_making_of_a_mesh_is_scrubbed_and_stepped_by_every_metric(meshed, qtbot):
+    making, finished = scene(meshed).track.making, scene(meshed).mesh
+    assert not len(making[0].mesh.topology.quads)
+    for row in METRICS:
+        meshed.session.choose_metric(row.key)
+        meshed.history.slider.setValue(-len(making))
+        assert scene(meshed).mesh is making[0].mesh
+        np.testing.assert_allclose(points(meshed), making[0].mesh.points, rtol=1e-6)
+        np.testing.assert_array_equal(colours(meshed), element_colours(scene(meshed).quality))
+    assert meshed.history.stage.text() == "triangulated"
+    assert "making of the mesh, 1 of" in meshed.status.course.text()
+    for stage in making[1:]:
+        press(meshed, KEY.Key_S)
+        assert scene(meshed).mesh is stage.mesh
+    press(meshed, KEY.Key_S)
+    assert scene(meshed).mesh is finished
+
+
 def test_dragging_the_limit_colours_and_counts_anew(meshed, qtbot):
     before = scene(meshed).quality.failing_count
     chart = meshed.docks.quality.chart
