@@ -2,6 +2,7 @@
 
 import gc
 
+import attrs
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, QTimer
@@ -222,6 +223,16 @@ def test_meshing_leaves_the_camera_where_it_is(canvas, give, coarse):
     before = canvas.viewpoint.camera
     give(coarse)
     assert canvas.viewpoint.camera is before
+
+
+def test_dividing_an_edge_leaves_the_camera_and_takes_away_the_place_that_was_shown(canvas, document):
+    canvas.viewpoint.zoom(3, 100, 100)
+    before, state = canvas.viewpoint.camera, document.scene.state
+    canvas.show_place(document.scene.plate.rims[0])
+    plate = document.scene.plate.with_division(0, 0, 7)
+    document.change("Divide", attrs.evolve(state, plates=state.plates.with_plate(plate)))
+    assert canvas.viewpoint.camera is before
+    assert not is_visible(canvas, "place")
 
 
 def test_a_click_picks_an_element_and_shift_extends(canvas, qtbot, give, coarse):

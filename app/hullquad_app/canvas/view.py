@@ -69,7 +69,7 @@ class Canvas(QWidget):
         self.overlay = Overlay(self)
         self._pane: Pane | None = None
         self._scene = Scene()
-        self._subject: tuple[object, ...] = ()
+        self._subject: object = None
         self._place: Floats = _NOWHERE
         self._palette, self._map, self._shows_edges = LIGHT, BROKEN, True
         self._picker, self._pointer = Picker(), Pointer()
@@ -111,7 +111,7 @@ class Canvas(QWidget):
 
     def show_scene(self, scene: Scene) -> None:
         """Show a scene; only what differs from the one before is touched."""
-        self._scene = scene
+        before, self._scene = self._scene, scene
         self.overlay.set_notice(self._notice())
         if self.stage is None:
             return
@@ -120,10 +120,11 @@ class Canvas(QWidget):
         self.overlay.set_loops(self.stage.loops)
         self.overlay.set_legend(*legend_of(scene))
         self.overlay.set_inspection(scene.inspection if self._inspects else None)
-        subject = self._subject_of(scene)
-        if any(one is not other for one, other in zip(subject, self._subject or (None, None), strict=True)):
-            self._subject = subject
+        subject = _subject(scene)
+        if scene.state.plates is not before.state.plates or subject is not self._subject:
             self.show_place(_NOWHERE)
+        if subject is not self._subject:
+            self._subject = subject
             self._set_plan()
             self.viewpoint.look("plan")
         else:
@@ -284,11 +285,6 @@ class Canvas(QWidget):
             self._row = row
             self.hovered.emit(row)
 
-    def _subject_of(self, scene: Scene) -> tuple[object, ...]:
-        """What the view is about: when that changes, the camera starts anew."""
-        first = None if scene.track is None else scene.track.first.mesh.topology
-        return scene.plate or first, scene.state.plates
-
     def _set_plan(self) -> None:
         scene = self._scene
         if scene.mesh is not None:
@@ -301,3 +297,10 @@ class Canvas(QWidget):
         if plate is None or plate.is_plane or self._scene.mesh is not None:
             return ""
         return self.tr("{plate} is curved. Curved plates cannot be meshed yet.").format(plate=plate.id)
+
+
+def _subject(scene: Scene) -> object:
+    """What the view is about: when that changes, the camera starts anew. Edges divided otherwise change nothing."""
+    if scene.plate is not None:
+        return scene.plate.outer
+    return None if scene.track is None else scene.track.first.mesh.topology
