@@ -229,14 +229,14 @@ def test_a_plate_that_crashes_triangle_does_not_stop_the_next(tmp_path, capsys, 
     from hullquad import pipeline
     from hullquad.worker import WorkerError
 
-    mesh_really = pipeline.paper_mesh
+    mesh_really = pipeline.best_mesh
 
-    def crash_once(contour, input_hash):
+    def crash_once(contour, *settings):
         if contour.plate.id == "B2":
             raise WorkerError("E_CRASH", contour.plate.place, ending="signal 11")
-        return mesh_really(contour, input_hash)
+        return mesh_really(contour, *settings)
 
-    monkeypatch.setattr(pipeline, "paper_mesh", crash_once)
+    monkeypatch.setattr(pipeline, "best_mesh", crash_once)
     out = tmp_path / "block.vtu"
     code, _, complaints = run(capsys, "mesh", PLATES / "hopper_block.json", "-o", out, "--optimizer", "none")
     assert code == 1
@@ -444,3 +444,20 @@ def test_a_run_without_time_gives_its_input_back(meshed, tmp_path, capsys):
     code, printed, _ = run(capsys, "optimize", meshed, "-o", tmp_path / "out.vtu", "--time", "0", "--json")
     assert (code, json.loads(printed)["stop"]) == (0, "time")
     np.testing.assert_array_equal(read_mesh(tmp_path / "out.vtu").points, read_mesh(meshed).points)
+
+
+@pytest.mark.parametrize(("mesher", "has_triangles"), [("best", False), ("paper", True)])
+def test_the_mesher_is_chosen(mesher, has_triangles, tmp_path, capsys):
+    out, plates = tmp_path / "out.vtu", PLATES / "floor_manholes.json"
+    code, said, _ = run(capsys, "mesh", plates, "-o", out, "--mesher", mesher, "--optimizer", "none", "--json")
+    assert code == 0
+    assert (json.loads(said)["triangles"] > 0) is has_triangles
+
+
+@pytest.mark.parametrize("value", ["0", "3", "steep"])
+def test_a_grading_that_is_none_is_wrong_usage(value, tmp_path, capsys):
+    code, _, complaints = run(
+        capsys, "mesh", PLATES / "floor_manholes.json", "-o", tmp_path / "out.vtu", "--grading", value
+    )
+    assert code == 2
+    assert f"'{value}' is no number from 0.05 to 2" in complaints

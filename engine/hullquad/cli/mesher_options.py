@@ -10,8 +10,8 @@ def add_mesher(command: ArgumentParser) -> None:
     command.add_argument(
         "--mesher",
         choices=["best", "paper"],
-        default="paper",
-        help="how quads are made: best leaves no triangle that can be avoided (default: paper)",
+        default="best",
+        help="how quads are made: best leaves no triangle that can be avoided (default: best)",
     )
     command.add_argument(
         "--prefer",
