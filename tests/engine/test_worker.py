@@ -151,8 +151,19 @@ def test_cancelling_from_another_thread_ends_the_call() -> None:
 
 
 def test_cancelling_while_the_child_still_starts_ends_the_call(stopped: None) -> None:
-    threading.Timer(0.01, worker.cancel).start()
-    assert refusal(time.sleep, 60).code == "E_CANCELLED"
+    is_over = threading.Event()
+
+    def cancel_until_it_ends() -> None:  # a call that has not begun cannot be cancelled
+        while not is_over.wait(0.01):
+            worker.cancel()
+
+    canceller = threading.Thread(target=cancel_until_it_ends)
+    canceller.start()
+    try:
+        assert refusal(time.sleep, 60).code == "E_CANCELLED"
+    finally:
+        is_over.set()
+        canceller.join()
 
 
 def test_cancelling_without_a_call_does_nothing() -> None:
