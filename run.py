@@ -3,7 +3,7 @@
 
     python3 run.py [FILES]            the window
     python3 run.py mesh PLATES ...    a command of the engine (mesh, optimize, quality)
-    python3 run.py test [ARGS]        the tests; ARGS go to pytest
+    python3 run.py test [ARGS]        the tests, on all processors; ARGS, if there are any, go to pytest instead
 
 The first start makes .venv beside this file, with what requirements.lock pins; later ones take no time.
 On Windows say `py` for `python3`. An old Python must be able to read this file, so its syntax is old, too.
@@ -26,6 +26,7 @@ VENV = os.path.join(HERE, ".venv")
 PYTHON = os.path.join(VENV, "Scripts", "python.exe") if WINDOWS else os.path.join(VENV, "bin", "python")
 STAMP = os.path.join(VENV, "stamp")
 SOURCES = ("engine", "app")
+ALL_TESTS = ["-n", "auto", "--maxprocesses", "4", "--dist", "loadfile"]  # a file's tests share what they prepare
 
 
 def say(text):
@@ -202,7 +203,7 @@ def main(arguments):
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     if arguments[:1] == ["test"]:
         os.chdir(HERE)
-        command = ["pytest"] + arguments[1:]
+        command = ["pytest"] + (arguments[1:] or ALL_TESTS)
     else:
         command = ["hullquad" if arguments[:1] and arguments[0] in ENGINE_COMMANDS else "hullquad_app"] + arguments
     return become([PYTHON, "-P", "-m"] + command)  # -P: modules of the current folder stay out
