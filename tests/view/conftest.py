@@ -1,5 +1,6 @@
 """Scenes, and the view on a screen that nobody sees."""
 
+import math
 import os
 import sys
 from pathlib import Path
@@ -22,6 +23,12 @@ from hullquad_app.scene import State
 from hullquad_app.track import Track
 
 PLATES = Path(__file__).parents[2] / "assets" / "plates"
+
+
+@pytest.fixture
+def smooth_at_rest(monkeypatch):
+    """The view is smoothed at rest, however busy the machine."""
+    monkeypatch.setattr("hullquad_app.canvas.pane._AFFORDABLE", math.inf)
 
 
 @pytest.fixture(scope="session")

@@ -298,6 +298,7 @@ def test_hovering_names_the_element(canvas, qtbot, give, coarse):
     assert canvas.overlay.tip == ""
 
 
+@pytest.mark.usefixtures("smooth_at_rest")
 def test_hovering_does_not_paint_the_plate_again(canvas, qtbot, give, coarse):
     give(coarse)
     qtbot.waitUntil(lambda: canvas.is_smooth, timeout=5000)

@@ -137,6 +137,7 @@ def test_the_clipboard_gets_the_picture(scene, qapp):
     QGuiApplication.clipboard().clear()
 
 
+@pytest.mark.usefixtures("smooth_at_rest")
 def test_taking_a_picture_leaves_the_view_alone(canvas, qtbot, scene):
     canvas.show_scene(scene)
     qtbot.waitUntil(lambda: canvas.is_smooth, timeout=5000)
