@@ -1,5 +1,11 @@
 """Every sentence that the engine says of an error, by code (and case): the table that gets translated."""
 
+
+def counted(count: int, noun: str) -> str:
+    """A number of things in words: 1 triangle, 2 triangles."""
+    return f"{count} {noun}" if count == 1 else f"{count} {noun}s"
+
+
 SENTENCES: dict[str, str] = {
     # metrics and optimisation
     "E_METRIC": "there is no metric of this name; the metrics are {known}",

@@ -278,6 +278,13 @@ def test_a_mesh_that_is_none_is_one_message_that_names_the_element(points, nodes
     assert not (tmp_path / "t.csv").exists()
 
 
+def test_one_element_is_not_told_as_several(tmp_path, capsys):
+    path = tmp_path / "square.vtu"
+    path.write_text(FILE.format(points=SQUARE, nodes="0 1 2 3"), encoding="utf-8")
+    printed = run(capsys, "quality", path)[1]
+    assert printed.startswith("1 quad, 0 triangles, 4 nodes, 0 inverted, 0 reversed\n")
+
+
 def test_an_empty_mesh_is_one_message(tmp_path, capsys):
     path = tmp_path / "empty.vtu"
     mesh = grid(1, 1.0)

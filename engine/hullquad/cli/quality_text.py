@@ -7,6 +7,7 @@ from textwrap import wrap
 from typing import Any
 
 from hullquad.metrics import METRICS, Metric
+from hullquad.sentences import counted
 
 Figures = dict[str, Any]
 
@@ -19,8 +20,9 @@ _RULE_HEAD = ("rule", "of", "warn", "error", "warnings", "errors", "given", "wor
 
 def quality_text(figures: Figures) -> str:
     """All that is told of a mesh; `figures` are those of ``--json``."""
-    numbers = (f"{figures[name]} {name}" for name in ("quads", "triangles", "nodes", "inverted", "reversed"))
-    lines = [", ".join(numbers), *_metrics(figures["metrics"])]
+    things = [counted(figures[f"{noun}s"], noun) for noun in ("quad", "triangle", "node")]
+    states = [f"{figures[state]} {state}" for state in ("inverted", "reversed")]
+    lines = [", ".join(things + states), *_metrics(figures["metrics"])]
     if figures["triangles"]:
         lines += ["", *_of_triangles()]
     if figures["rules"] is not None:
