@@ -5,6 +5,7 @@ import os
 import sys
 from collections.abc import Sequence
 
+from hullquad import __version__
 from hullquad.cli.interrupt import INTERRUPTED, ending_at_once
 from hullquad_app import ENGINE_COMMANDS, libraries
 
@@ -42,6 +43,7 @@ def _run(words: Sequence[str]) -> int:
         print(f"hullquad: {obstacle}", file=sys.stderr)  # noqa: T201  (a terminal is all there is)
         return 1
     with ending_at_once():
+        import hullquad.optimizers  # noqa: F401, PLC0415  with NumPy; once Qt is there every import takes longer
         from hullquad_app.application import show  # noqa: PLC0415
 
     return show(files)
@@ -56,8 +58,6 @@ def _picture(words: Sequence[str]) -> int:
 
 
 def _parser() -> argparse.ArgumentParser:
-    from hullquad import __version__  # noqa: PLC0415  takes as long as starting Python
-
     parser = argparse.ArgumentParser(
         prog="hullquad",
         description="Quadrilateral meshes of ship hull plates: made, judged and improved.",

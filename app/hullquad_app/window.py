@@ -46,7 +46,7 @@ class MainWindow(QMainWindow):
         self._turns = Turns(self)
         self.canvas, self.welcome = Canvas(turns=self._turns), Welcome()
         self.messages, self.choices = MessageBar(), Choices()
-        self.docks, self.history, self.status = Docks(self), HistoryBar(), StatusBar()
+        self.docks, self.history, self.status = Docks(self, session, self.canvas), HistoryBar(), StatusBar()
         self._live = Live(session.document, self._turns)
         self.actions_by_name = Actions(self._targets(), self)
         self.folds = FoldBar(self.actions_by_name["untangle"])
@@ -167,9 +167,6 @@ class MainWindow(QMainWindow):
             "judging_files": self.judging_files,
             "canvas": self.canvas,
             "docks": self.docks,
-            "worst": self.docks.worst,
-            "mesh_button": self.docks.meshing.one,
-            "mesh_all_button": self.docks.meshing.all_plates,
             "about": About(self),
         }
 
@@ -231,19 +228,17 @@ class MainWindow(QMainWindow):
         self.choices.limit_reset.connect(session.judging.reset_limit)
         self.choices.rules.offer(lambda: session.settings.rule_files)
         self.choices.rules_chosen.connect(session.judging.judge_by)
-        for wanted in (self.choices.rules_file_wanted, self.docks.search.options.rules.file_wanted):
+        for wanted in (self.choices.rules_file_wanted, self.docks.rules_file_wanted):
             wanted.connect(self.judging_files.choose_rules)
         self.canvas.picked.connect(lambda row, extend: session.select({row}, extend=extend))
         self.canvas.painted.connect(session.optimizer.run.painted)
-        self.docks.meshing.prospect.place_wanted.connect(self._show_place)
+        self.docks.place_wanted.connect(self._show_place)
         self.canvas.missed.connect(lambda: session.select(()))
         self._live.follow(self.canvas)
-        self._live.follow(self.docks.quality, self.choices, self.history, self.status)
-        self._live.follow(self.docks.objective, self.docks.outcome, self.docks.search, seldom=True)
-        self._live.follow(self.docks.rules, self.docks.element, seldom=True)
-        self._live.follow(self.docks.worst, self.docks.meshing, self.docks.plates, seldom=True)
-        self.docks.connect_to(session, self.canvas)
-        for box in (*self.choices.limits.boxes, *self.docks.number_boxes()):
+        self._live.follow(*self.docks.watched, self.choices, self.history, self.status)
+        for group in self.docks.read:
+            self._live.follow(*group, seldom=True)
+        for box in self.choices.limits.boxes:
             box.lineEdit().returnPressed.connect(self.canvas.setFocus)  # letters are keys again
 
     def _restore(self) -> None:

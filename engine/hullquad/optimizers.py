@@ -1,6 +1,7 @@
 """The table of optimisers: every way of moving nodes, by the key that command line, window and scripts use."""
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 import attrs
 
@@ -9,7 +10,9 @@ from hullquad.mesh import Mesh
 from hullquad.optimization.iterate import Iterate
 from hullquad.optimization.objective import Objective
 from hullquad.optimization.settings import FINE, PaperSettings, SearchSettings
-from hullquad.rules import RuleSet
+
+if TYPE_CHECKING:
+    from hullquad.rules import RuleSet
 
 
 @attrs.frozen
@@ -80,7 +83,7 @@ def iterates(
     objective: Objective,
     search: SearchSettings | None = None,
     paper: PaperSettings | None = None,
-    rule_set: RuleSet | None = None,
+    rule_set: "RuleSet | None" = None,
 ) -> Iterator[Iterate]:
     """Iterates of an optimiser, the given mesh first; see the modes themselves.
 

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
 
 from hullquad.plate import Plate
 from hullquad_app.abilities import Abilities
-from hullquad_app.colours import LIGHT, Palette
+from hullquad_app.colours import COLOUR_MAPS, LIGHT, ColourMap, Palette
 from hullquad_app.division import Division, Size
 from hullquad_app.panels.explained import explain
 from hullquad_app.panels.ground import coloured, dress
@@ -99,7 +99,7 @@ class MeshingPanel(QWidget):
         """Nothing is being done."""
         self._show_task(visible=False)
 
-    def set_palette(self, palette: Palette) -> None:
+    def set_palette(self, palette: Palette, _: ColourMap = COLOUR_MAPS[0]) -> None:
         """Draw in the colours of a theme."""
         dress(self, palette)
         coloured(self.task, palette.dim)

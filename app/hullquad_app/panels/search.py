@@ -8,7 +8,7 @@ from hullquad.metrics import OBJECTIVES
 from hullquad.optimization.objective import Term
 from hullquad.optimization.settings import PaperSettings
 from hullquad.optimizers import OPTIMIZERS, optimizer
-from hullquad_app.colours import LIGHT, Palette
+from hullquad_app.colours import COLOUR_MAPS, LIGHT, ColourMap, Palette
 from hullquad_app.grouped_box import Choice, GroupedBox, metric_choices
 from hullquad_app.metric_words import name_of
 from hullquad_app.objectives import optimised_by, wanted, written
@@ -85,7 +85,7 @@ class SearchPanel(QWidget):
         self.options.rules.show_scene(scene)
         self.local.show_scene(scene)
 
-    def set_palette(self, palette: Palette) -> None:
+    def set_palette(self, palette: Palette, _: ColourMap = COLOUR_MAPS[0]) -> None:
         """Draw in the colours of a theme."""
         dress(self, palette)
         coloured(self.words, palette.dim)
