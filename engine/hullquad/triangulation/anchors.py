@@ -12,6 +12,8 @@ from hullquad.plate import Plate
 
 _EXACT = 1e-6
 """Nearer than this a point lies on its edge as it is, and no snap is told [mm]."""
+_PROBES = np.array([0.0, 0.25, 0.5, 0.75])
+"""Of the way from a line's end to where the line crosses the contour."""
 
 
 @attrs.frozen(eq=False)
@@ -59,6 +61,8 @@ class Anchors:
 def anchors(plate: Plate) -> Anchors:
     """Fixed nodes from the ends of stiffeners and seams and from the fixed points, in the order of the document.
 
+    Lines end, too, where holes cut them.
+
     An end nearer than the snap tolerance to a vertex is that vertex, to an edge lies on it, to an earlier fixed
     node is that node. An end within a hole is no node.
     """
@@ -73,6 +77,10 @@ def anchors(plate: Plate) -> Anchors:
             snaps.append(Snap(place, point, _anchored(curve, point, on_edges.setdefault(key, []), plate.snap)))
         elif plate.region.intersects(shapely.Point(point)):
             inside.append((place, point))
+    cuts = _cuts(plate)
+    for cut, key in zip(cuts, nearest_edges(plate, cuts), strict=True):
+        if key is not None:
+            _anchored(canonical(plate.loops[key[0]].curves[key[1]]), cut, on_edges.setdefault(key, []), plate.snap)
     inside, merged = _merged(inside, plate.snap)
     return Anchors(
         {key: sorted(found, key=lambda anchor: anchor.length) for key, found in on_edges.items() if found},
@@ -88,6 +96,20 @@ def _points(plate: Plate) -> Iterator[tuple[str, Floats]]:
         yield f"{line.place}/b", line.b
     for i, point in enumerate(plate.fixed):
         yield f"{plate.place}/fixed/{i}", point
+
+
+def _cuts(plate: Plate) -> Floats:
+    """(K, 2) points where lines cross the contour elsewhere than at their ends."""
+    rim = shapely.multilinestrings([shapely.linearrings(outline) for outline in plate.outlines])
+    found = [np.empty((0, 2))]
+    for line, crossed in zip(plate.lines, shapely.intersection(plate.rows, rim), strict=True):
+        points = shapely.get_coordinates(crossed)
+        for end in (line.a, line.b):
+            on_way = end + _PROBES[:, None, None] * (points - end)
+            along = shapely.distance(rim, shapely.points(on_way)).max(axis=0) <= plate.snap
+            points = points[~along]  # what lies between is the contour itself, and the end a node of it
+        found.append(points)
+    return floats(np.concatenate(found))
 
 
 def nearest_edges(plate: Plate, points: Floats) -> list[tuple[int, int] | None]:

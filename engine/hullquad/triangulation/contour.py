@@ -1,17 +1,17 @@
 """The contour of a plate divided into segments: what a mesh has on its rim, settled before there is a mesh."""
 
-from collections.abc import Sequence
-from functools import cached_property
+from collections.abc import Mapping, Sequence
 
-import attrs
 import numpy as np
 import shapely
 
-from hullquad.arrays import Floats, Longs, floats, longs
+from hullquad.arrays import Floats, floats
 from hullquad.errors import PlateError
-from hullquad.plate import Document, Plate, signed_area
-from hullquad.triangulation.anchors import Snap
-from hullquad.triangulation.clearance import crossing, near_segments, segments
+from hullquad.plate import Document
+from hullquad.triangulation.clearance import crossing, near_segments
+from hullquad.triangulation.common_lines import common_numbers
+from hullquad.triangulation.divided import Contour
+from hullquad.triangulation.following import Plan, followed, plan
 from hullquad.triangulation.given_nodes import given_nodes
 from hullquad.triangulation.neighbours import Neighbours, neighbours
 from hullquad.triangulation.sizes import MOST_ELEMENTS, element_size, elements_needed, refuse_size
@@ -25,80 +25,7 @@ _HALVINGS = 4
 """Steps by which a size that helps is approached from below: to a sixteenth."""
 
 
-@attrs.frozen(eq=False, kw_only=True)
-class Contour:
-    """Nodes that are given before a plate is meshed: of its loops, one after another, then fixed ones inside."""
-
-    plate: Plate
-    size: float
-    """Length that an element's edge should have [mm]."""
-    nodes: Floats = attrs.field(converter=floats)
-    """(N, 2) in the plate's plane [mm]."""
-    loop_starts: Longs = attrs.field(converter=longs)
-    """(L + 1,) loop i is ``nodes[loop_starts[i]:loop_starts[i + 1]]``; the outer one
-    counter-clockwise, holes clockwise."""
-    points: Floats = attrs.field(
-        default=attrs.Factory(lambda self: self.plate.surface.points(self.nodes), takes_self=True), converter=floats
-    )
-    """(N, 3) the nodes in space [mm]; those in common with other plates have the same bits there."""
-    inside_places: tuple[str, ...] = ()
-    """Paths in the document of the fixed nodes inside."""
-    rows: tuple[Longs, ...] = ()
-    """Nodes in a row, from end to end, along each edge of another plate that stands on the face of this one."""
-    snaps: tuple[Snap, ...] = ()
-    """What was moved: line ends and fixed points onto the contour or each other, nodes to where neighbours have them.
-    """
-
-    @cached_property
-    def lines(self) -> Floats:
-        """(L, 2, 3) ends of stiffeners and seams in space, cut by the holes [mm]."""
-        ends = self.plate.clipped_lines
-        return floats(self.plate.surface.points(ends.reshape(-1, 2)).reshape(-1, 2, 3))
-
-    @property
-    def edge_count(self) -> int:
-        """Number of segments, and of nodes on the loops."""
-        return int(self.loop_starts[-1])
-
-    @property
-    def triangles_unavoidable(self) -> int:
-        """1 when no all-quad mesh exists: quads have an even number of contour edges."""
-        return self.edge_count % 2
-
-    @cached_property
-    def segments(self) -> Longs:
-        """(E, 2) nodes of every segment, with the plate on its left."""
-        return longs(segments(self.edge_count, self.loop_starts.tolist()))
-
-    @property
-    def rings(self) -> list[Floats]:
-        """(N, 2) nodes of each loop."""
-        return np.split(self.nodes[: self.edge_count], self.loop_starts[1:-1])
-
-    @property
-    def inside(self) -> Floats:
-        """(K, 2) fixed nodes inside."""
-        return self.nodes[self.edge_count :]
-
-    @cached_property
-    def region(self) -> shapely.Polygon:
-        """The polygon with holes whose edges are the segments."""
-        outer, *holes = self.rings
-        return shapely.Polygon(outer, holes)
-
-    @cached_property
-    def area(self) -> float:
-        """Area of that polygon, which is the sum of its elements' areas [mm2]."""
-        return sum(signed_area(ring) for ring in self.rings)
-
-    @cached_property
-    def hole_points(self) -> Floats:
-        """(H, 2) a point in each hole."""
-        inner = [shapely.Polygon(ring).representative_point() for ring in self.rings[1:]]
-        return floats([(point.x, point.y) for point in inner] or np.empty((0, 2)))
-
-
-def contours(document: Document, size: float | str | None = None) -> dict[str, Contour]:
+def contours(document: Document, size: float | str | None = None, *, follow_lines: bool = False) -> dict[str, Contour]:
     """Divide the contours of a document's plane plates, by plate id.
 
     What plates have in common is divided once, with the finest of their sizes; they all get the same nodes.
@@ -110,20 +37,24 @@ def contours(document: Document, size: float | str | None = None) -> dict[str, C
     size : float, str or None
         Length of the segments [mm]; ``"coarse"``, ``"fine"`` or ``"very_fine"`` for the plates' own sizes;
         None for their target sizes.
+    follow_lines : bool
+        Whether elements follow stiffeners and seams as a whole, or only have nodes at their ends.
 
     Raises
     ------
     PlateError
         A plate cannot be divided so: the first of them in the document.
     """
-    found = attempts(document, size)
+    found = attempts(document, size, follow_lines=follow_lines)
     for outcome in found.values():
         if isinstance(outcome, PlateError):
             raise outcome
     return {key: outcome for key, outcome in found.items() if isinstance(outcome, Contour)}
 
 
-def attempts(document: Document, size: float | str | None = None) -> dict[str, Contour | PlateError]:
+def attempts(
+    document: Document, size: float | str | None = None, *, follow_lines: bool = False
+) -> dict[str, Contour | PlateError]:
     """Contour of each plane plate as of `contours`, or why there is none: one plate does not stop the others."""
     plates = tuple(plate for plate in document.plates if plate.is_plane)
     shared = neighbours(plates)
@@ -135,7 +66,22 @@ def attempts(document: Document, size: float | str | None = None) -> dict[str, C
         except PlateError as error:
             refused.setdefault(plate.id, error)
     sizes = [np.inf if plate.id in refused else element_size(plate, size) for plate in plates]
-    return {plate.id: refused.get(plate.id) or _attempt(shared, number, sizes) for number, plate in enumerate(plates)}
+    found = {plate.id: refused.get(plate.id) or _attempt(shared, number, sizes) for number, plate in enumerate(plates)}
+    return _following(found) if follow_lines else found
+
+
+def _following(found: Mapping[str, Contour | PlateError]) -> dict[str, Contour | PlateError]:
+    """The contours with the stiffeners and seams of their plates; what several plates have of them is divided once."""
+    plans = {key: _plan(contour) for key, contour in found.items() if isinstance(contour, Contour)}
+    numbers = common_numbers(list(plans.values()))
+    made = {key: followed(chosen, given) for (key, chosen), given in zip(plans.items(), numbers, strict=True)}
+    return {**found, **made}
+
+
+def _plan(contour: Contour) -> Plan:
+    lines = contour.plate.lines
+    ends = floats(np.array([[line.a, line.b] for line in lines]).reshape(-1, 2, 2))
+    return plan(contour, ends, [line.place for line in lines])
 
 
 def _attempt(shared: Neighbours, plate: int, sizes: Sequence[float]) -> Contour | PlateError:

@@ -1,0 +1,145 @@
+"""Numbers of segments of the pieces of lines: near the element size, with as few odd regions as can be.
+
+Opposite sides of regions with four sides get the same number where they may be chosen, so that these regions become
+grids: such pieces are a *row* that is changed together. Then rows are changed by one segment wherever that leaves fewer
+regions with an odd contour (`parity`), those first whose segments stay nearest to the element size.
+"""
+
+from collections.abc import Iterator, Mapping
+from math import inf, log, sqrt
+
+import numpy as np
+
+from hullquad.arrays import Longs, longs
+from hullquad.triangulation import division, parity
+from hullquad.triangulation.arrangement import Arrangement
+from hullquad.triangulation.sides import Sides
+
+_TAPER = 1.6
+"""Longest over shortest piece of a row; and how many times longer or shorter than the size its segments may be."""
+_GRID_LOST = 1.0
+"""Weight of a change that makes a region no grid any more; a segment twice too long or too short weighs 0.7."""
+_LEAST = 1e-3
+
+
+def numbers(found: Arrangement, around: Sides, size: float, given: Mapping[int, int]) -> Longs:
+    """(P,) number of segments of each piece of an arrangement.
+
+    Parameters
+    ----------
+    found : Arrangement
+    around : Sides
+        Of the contour's segments and of the pieces as they are.
+    size : float
+        Element size [mm].
+    given : mapping
+        Numbers that cannot be chosen, by piece.
+    """
+    work = _Rows(found, around, size, given)
+    for one, other in work.opposite():
+        work.unite(one, other)
+    for one, other in work.opposite():
+        work.match(one, other)
+    work.even()
+    return work.numbers
+
+
+class _Rows:
+    """Pieces that are divided alike, and their numbers."""
+
+    def __init__(self, found: Arrangement, around: Sides, size: float, given: Mapping[int, int]) -> None:
+        self._around, self._size, self._lengths = around, size, found.lengths
+        self.numbers = longs([given.get(i) or division.equal(x, size) for i, x in enumerate(self._lengths)]).copy()
+        self._row = np.arange(len(self.numbers))
+        self._row[list(given)] = -1
+        self._settled = np.zeros(len(self.numbers), dtype=bool)
+
+    def opposite(self) -> Iterator[tuple[Longs, Longs]]:
+        """Opposite sides of the regions that have four, as pieces; -1 is a segment of the contour."""
+        for a, b, c, d in self._around.four_sided.values():
+            yield self._pieces(a), self._pieces(c)
+            yield self._pieces(b), self._pieces(d)
+
+    def unite(self, one: Longs, other: Longs) -> None:
+        """Make one row of two single pieces that are about as long as each other."""
+        if len(one) != 1 or len(other) != 1:
+            return
+        first, second = self._row_of(one[0]), self._row_of(other[0])
+        if min(first, second) < 0 or first == second:
+            return
+        members = np.flatnonzero((self._row == first) | (self._row == second))
+        lengths = self._lengths[members]
+        if lengths.max() <= _TAPER * lengths.min():
+            self._row[members] = min(first, second)
+            self.numbers[members] = division.equal(sqrt(lengths.min() * lengths.max()), self._size)
+
+    def match(self, one: Longs, other: Longs) -> None:
+        """Give a single piece, with its row, the number of segments that are opposite."""
+        for single, opposite in ((one, other), (other, one)):
+            row = self._row_of(single[0]) if len(single) == 1 else -1
+            if row < 0 or self._settled[row] or any(self._row_of(piece) == row for piece in opposite):
+                continue
+            members, number = self._members(row), self._count(opposite)
+            if max(self._misfit(members, number)) <= log(_TAPER):
+                self.numbers[members] = number
+                self._settled[row] = True
+
+    def even(self) -> None:
+        """Change rows by one segment wherever that leaves fewer odd regions."""
+        regions = int(self._around.regions.max()) + 1
+        counts = np.bincount(self._around.regions, self._of_sides(self.numbers), minlength=regions).astype(np.int64)
+        choices = [choice for row in np.unique(self._row[self._row >= 0]) if (choice := self._choice(int(row)))]
+        ways = [(one, other, weight) for (one, other), weight, _, _ in choices]
+        reluctance = dict.fromkeys(self._around.four_sided, _GRID_LOST)
+        for way in parity.changes(regions, np.flatnonzero(counts % 2).tolist(), ways, reluctance):
+            _, _, row, number = choices[way]
+            self.numbers[self._members(row)] = number
+
+    def _choice(self, row: int) -> tuple[tuple[int, int], float, int, int] | None:
+        """The two regions that a change of a row makes odd or even, its weight, the row and its new number."""
+        members = self._members(row)
+        sides = np.concatenate([members, members + len(self.numbers)]) + self._around.contour
+        touched = np.bincount(self._around.regions[sides])
+        flipped = np.flatnonzero(touched % 2)
+        if len(flipped) != 2:
+            return None
+        before = int(self.numbers[members[0]])
+        weight, number = min(
+            (sum(self._misfit(members, number)) if number else inf, number) for number in (before + 1, before - 1)
+        )
+        lost = sum(self._loses_grid(region, members, number) for region in flipped.tolist())
+        return (int(flipped[0]), int(flipped[1])), weight + _GRID_LOST * lost + _LEAST, row, number
+
+    def _loses_grid(self, region: int, members: Longs, number: int) -> bool:
+        """Whether opposite sides of a region agree, but would not with another number of segments of a row."""
+        if region not in self._around.four_sided:
+            return False
+        a, b, c, d = map(self._pieces, self._around.four_sided[region])
+        kept = self.numbers.copy()
+        agreed = self._count(a) == self._count(c) and self._count(b) == self._count(d)
+        self.numbers[members] = number
+        agrees = self._count(a) == self._count(c) and self._count(b) == self._count(d)
+        self.numbers = kept
+        return agreed and not agrees
+
+    def _misfit(self, members: Longs, number: int) -> list[float]:
+        return [abs(log(length / number / self._size)) for length in self._lengths[members].tolist()]
+
+    def _pieces(self, sides: Longs) -> Longs:
+        """Piece of each side, -1 for those of the contour."""
+        rank = sides - self._around.contour
+        return longs(np.where(rank < 0, -1, rank % max(1, len(self.numbers))))
+
+    def _row_of(self, piece: int) -> int:
+        return int(self._row[piece]) if piece >= 0 else -1
+
+    def _members(self, row: int) -> Longs:
+        return longs(np.flatnonzero(self._row == row))
+
+    def _count(self, pieces: Longs) -> int:
+        """Number of segments of a side."""
+        return int(np.where(pieces < 0, 1, self.numbers[pieces]).sum())
+
+    def _of_sides(self, numbers: Longs) -> Longs:
+        """(S,) number of segments of each side."""
+        return longs(np.concatenate([np.ones(self._around.contour, dtype=np.int64), numbers, numbers]))
