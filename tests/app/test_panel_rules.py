@@ -12,9 +12,9 @@ from hullquad.rules import Level, Rule, RuleSet, Status, rule_set
 from hullquad_app.canvas.legend import legend_of
 from hullquad_app.colours import DARK, LIGHT
 from hullquad_app.level_colours import LEVELS
+from hullquad_app.panels.cell import CELL
 from hullquad_app.panels.rule_rows import COLUMNS
 from hullquad_app.panels.rules import RulesPanel
-from hullquad_app.panels.two_lines import DETAIL
 from hullquad_app.scene import Scene, View
 from hullquad_app.track import Track
 from hullquad_app.verdict import verdict
@@ -72,13 +72,13 @@ def test_every_rule_has_a_row_with_its_counts(panel, walked):
 
 def test_a_rule_says_whether_it_was_read_and_where(panel, walked):
     panel.show_scene(scene(walked.first))
-    assert cell(panel, 1, "rule", DETAIL) == "read: close to 1"
+    assert cell(panel, 1, "rule", CELL).detail == "read: close to 1"
     assert "QA 12, 3.1" in cell(panel, 1, "rule", Qt.ItemDataRole.ToolTipRole)
 
 
 def test_what_is_not_evaluated_says_why(panel, walked):
     panel.show_scene(scene(walked.first))
-    assert cell(panel, 2, "rule", DETAIL) == "not evaluated: depths are unknown"
+    assert cell(panel, 2, "rule", CELL).detail == "not evaluated: depths are unknown"
     assert [cell(panel, 2, name) for name in ("warn", "error", "given")] == ["–"] * 3
     assert cell(panel, 2, "swatch", Qt.ItemDataRole.DecorationRole) is None
 

@@ -11,8 +11,8 @@ from hullquad.quality import quality
 from hullquad.rules import rule_set
 from hullquad_app.colours import DARK, INVERTED, LIGHT
 from hullquad_app.level_colours import LEVELS
+from hullquad_app.panels.cell import CELL
 from hullquad_app.panels.elements import COLUMNS
-from hullquad_app.panels.table import HATCHED
 from hullquad_app.panels.worst import WorstPanel
 from hullquad_app.scene import Scene, View
 from hullquad_app.track import Track
@@ -228,7 +228,7 @@ def test_what_the_contour_gives_says_so(panel, iterate):
     found = attrs.evolve(verdict(iterate.mesh, now.quality, None, None), given=given)
     panel.show_scene(attrs.evolve(now, verdict=found))
     assert texts(panel, "state")[:2] == ["FAIL, given", "FAIL"]
-    assert [bool(cell(panel, row, "swatch", HATCHED)) for row in (0, 1)] == [True, False]
+    assert [cell(panel, row, "swatch", CELL).is_hatched for row in (0, 1)] == [True, False]
     assert "contour" in cell(panel, 0, "state", Qt.ItemDataRole.ToolTipRole)
 
 

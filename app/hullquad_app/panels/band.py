@@ -3,7 +3,7 @@
 import attrs
 import numpy as np
 from PySide6.QtCore import QCoreApplication, QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
+from PySide6.QtGui import QColor, QPainter, QPen
 
 from hullquad.arrays import Floats
 from hullquad_app.colours import Palette
@@ -15,6 +15,9 @@ from hullquad_app.panels.figures import summed, valued
 
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
+
+_PIECE = 8
+"""Points that are drawn as one line: of a long one that crosses itself Qt first finds the outline, very slowly."""
 
 
 @attrs.frozen(eq=False, kw_only=True)
@@ -121,19 +124,16 @@ def draw_course(painter: QPainter, row: Band, course: Course, active: Part, pale
 def _draw_line(painter: QPainter, x: Axis, y: Axis, numbers: Floats, values: Floats, pen: QPen) -> None:
     """Draw a line through the finite values; it is broken where one is not."""
     places = x.start + (numbers - x.low) / max(x.high - x.low, 1.0) * (x.end - x.start)
-    rows = thinned(places, np.where(np.isfinite(values), values, y.low))
-    path, is_down = QPainterPath(), False
-    for place, value in zip(places[rows].tolist(), values[rows].tolist(), strict=True):
-        if not np.isfinite(value):
-            is_down = False
-            continue
-        point = QPointF(place, y.at(value))
-        (path.lineTo if is_down else path.moveTo)(point)
-        is_down = True
+    is_finite = np.isfinite(values)
+    rows = thinned(places, np.where(is_finite, values, y.low), pen.widthF())
     pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
+    pen.setCapStyle(Qt.PenCapStyle.RoundCap)
     painter.setPen(pen)
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.drawPath(path)
+    for run in np.split(rows, np.flatnonzero(~is_finite[rows])):
+        kept = run[is_finite[run]]
+        points = [QPointF(*at) for at in zip(places[kept].tolist(), map(y.at, values[kept].tolist()), strict=True)]
+        for start in range(0, len(points), _PIECE - 1):
+            painter.drawPolyline(points[start : start + _PIECE])
 
 
 def draw_mark(painter: QPainter, row: Band, course: Course, position: int, ground: str) -> None:

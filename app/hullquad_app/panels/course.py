@@ -102,21 +102,21 @@ def _parts(track: Track) -> Iterator[Part]:
         yield Part(start=start, end=end, by=by, weighted=weighted)
 
 
-def thinned(places: Floats, values: Floats) -> Longs:
-    """Rows of the points that a line needs: the first, least, greatest and last in each pixel column.
+def thinned(places: Floats, values: Floats, width: float = 1.0) -> Longs:
+    """Rows of the points that a line of some width needs: the ends, and the least and greatest of each column.
 
     Parameters
     ----------
     places : (P,) float array
         Where the points are drawn, from left to right [px].
     values : (P,) float array
+    width
+        Of the columns [px].
     """
-    if len(places) < 4:
-        return np.arange(len(places))
-    columns = np.floor(places).astype(np.int64)
+    columns = np.floor(places / width).astype(np.int64)
     starts = np.flatnonzero(np.r_[True, columns[1:] != columns[:-1]])
     if len(starts) * 2 > len(places):
         return np.arange(len(places))
     ends = np.r_[starts[1:], len(places)] - 1
     order = np.lexsort((values, columns))  # within a column from the least value to the greatest
-    return np.unique(np.concatenate([starts, order[starts], order[ends], ends]))
+    return np.unique(np.concatenate([[0], order[starts], order[ends], [len(places) - 1]]))

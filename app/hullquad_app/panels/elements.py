@@ -1,12 +1,10 @@
 """The worst elements as a model for tables."""
 
-from collections.abc import Callable
 from typing import Any
 
 import attrs
 import numpy as np
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt
-from PySide6.QtGui import QColor, QFont
 
 from hullquad.arrays import Bools, Bytes
 from hullquad.mesh import Mesh
@@ -16,19 +14,15 @@ from hullquad.ranking import Ranking, ranking
 from hullquad_app.colours import COLOUR_MAPS, INVERTED, LIGHT, ColourMap, Palette
 from hullquad_app.level_colours import LEVELS
 from hullquad_app.metric_words import name_of
+from hullquad_app.panels.cell import LEFT, RIGHT, Cell
 from hullquad_app.panels.figures import shown
-from hullquad_app.panels.table import HATCHED
 from hullquad_app.scene import Scene
 from hullquad_app.verdict_words import Fate, fate
 
 MOST = 200
 """Rows of the table."""
 COLUMNS = ("element", "kind", "swatch", "value", "min_angle", "aspect_ratio", "state")
-SWATCH = COLUMNS.index("swatch")
 _NUMBERS = ("element", "value", "min_angle", "aspect_ratio")
-_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
-_CENTRE = Qt.AlignmentFlag.AlignCenter
 
 Index = QModelIndex | QPersistentModelIndex
 _ROOT = QModelIndex()
@@ -102,7 +96,7 @@ class WorstModel(QAbstractTableModel):
             return None
         name = COLUMNS[section]
         if role == Qt.ItemDataRole.TextAlignmentRole:
-            return _RIGHT if name in _NUMBERS else _LEFT
+            return RIGHT if name in _NUMBERS else LEFT
         if role not in (Qt.ItemDataRole.DisplayRole, Qt.ItemDataRole.ToolTipRole):
             return None
         is_tip = role == Qt.ItemDataRole.ToolTipRole
@@ -112,21 +106,19 @@ class WorstModel(QAbstractTableModel):
         """What a cell shows."""
         if self._listed is None or not index.isValid():
             return None
-        name, row = COLUMNS[index.column()], index.row()
-        if role == Qt.ItemDataRole.TextAlignmentRole:
-            return _RIGHT if name in _NUMBERS else _LEFT
-        found = self._roles().get(role)
-        return None if found is None else found(self._listed, row, name)
+        return self._cell(self._listed, index.row(), COLUMNS[index.column()]).data(role)
 
-    def _roles(self) -> dict[int, Callable[[Listed, int, str], Any]]:
-        return {
-            Qt.ItemDataRole.DisplayRole: self._text,
-            Qt.ItemDataRole.ForegroundRole: self._colour,
-            Qt.ItemDataRole.DecorationRole: self._swatch,
-            Qt.ItemDataRole.ToolTipRole: self._tip,
-            Qt.ItemDataRole.FontRole: self._font,
-            HATCHED: self._is_hatched,
-        }
+    def _cell(self, listed: Listed, row: int, name: str) -> Cell:
+        fate = listed.fate(row)
+        return Cell(
+            text=self._text(listed, row, name),
+            colour=self._colour(listed, row, name),
+            is_bold=name == "state" and fate.is_failing,
+            is_number=name in _NUMBERS,
+            swatch=self._swatch(listed, row) if name == "swatch" else "",
+            is_hatched=fate.is_given,
+            tip=self._tip(listed, row, name),
+        )
 
     def _titles(self) -> dict[str, str]:
         by = None if self._listed is None else self._listed.quality.metric
@@ -153,7 +145,7 @@ class WorstModel(QAbstractTableModel):
             "state": self.tr("Whether the element is beyond its limit, turned inside out, or given so by the contour"),
         }
 
-    def _text(self, listed: Listed, row: int, name: str) -> str | None:
+    def _text(self, listed: Listed, row: int, name: str) -> str:
         element, quality = int(listed.ranking.rows[row]), listed.quality
         if name == "element":
             return str(listed.mesh.topology.element_labels[element])
@@ -165,39 +157,27 @@ class WorstModel(QAbstractTableModel):
             return shown(float(listed.ranking.min_angles[row]), metric(name))
         if name == "aspect_ratio":
             return shown(float(listed.ranking.aspect_ratios[row]), metric(name))
-        return listed.fate(row).word if name == "state" else None
+        return listed.fate(row).word if name == "state" else ""
 
-    def _colour(self, listed: Listed, row: int, name: str) -> QColor | None:
+    def _colour(self, listed: Listed, row: int, name: str) -> str:
         if name == "kind" or (name == "value" and _is_by_other(listed, row)):
-            return QColor(self._palette.dim)
-        return QColor(listed.fate(row).colour(self._palette)) if name == "state" else None
+            return self._palette.dim
+        return listed.fate(row).colour(self._palette) if name == "state" else ""
 
-    def _swatch(self, listed: Listed, row: int, name: str) -> QColor | None:
-        if name != "swatch":
-            return None
+    def _swatch(self, listed: Listed, row: int) -> str:
         element, quality = int(listed.ranking.rows[row]), listed.quality
         if not quality.valid[element]:
-            return QColor(INVERTED)
+            return INVERTED
         if listed.levels is not None:
-            return QColor(LEVELS[listed.levels[element]])
+            return LEVELS[listed.levels[element]]
         grade = float(quality.grades[element])
-        return QColor(self._map.colour(min(grade, -1e-9) if quality.failing[element] else grade))
+        return self._map.colour(min(grade, -1e-9) if quality.failing[element] else grade)
 
-    def _tip(self, listed: Listed, row: int, name: str) -> str | None:
+    def _tip(self, listed: Listed, row: int, name: str) -> str:
         if name == "value" and _is_by_other(listed, row):
             judge = name_of(listed.quality.metric.triangle_metric)
             return self.tr("triangles are judged by {metric}").format(metric=judge)
-        return listed.fate(row).reason or None if name in ("state", "swatch") else None
-
-    def _is_hatched(self, listed: Listed, row: int, name: str) -> bool:
-        return name == "swatch" and listed.fate(row).is_given
-
-    def _font(self, listed: Listed, row: int, name: str) -> QFont | None:
-        if name != "state" or not listed.fate(row).is_failing:
-            return None
-        bold = QFont()
-        bold.setBold(True)
-        return bold
+        return listed.fate(row).reason if name in ("state", "swatch") else ""
 
     def _repaint(self) -> None:
         if self.rowCount():

@@ -1,22 +1,19 @@
 """The plates of a document as a model for tables: what has become of each."""
 
-from collections.abc import Callable
 from typing import Any
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt
-from PySide6.QtGui import QColor, QFont
 
 from hullquad.mesh import Mesh
 from hullquad.quality import Quality, quality
 from hullquad.surface import Plane
 from hullquad_app.colours import LIGHT, Palette
+from hullquad_app.panels.cell import LEFT, RIGHT, Cell
 from hullquad_app.panels.figures import counted, shown
 from hullquad_app.scene import Scene
 from hullquad_app.track import Track
 
 COLUMNS = ("plate", "title", "state", "worst")
-_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 _ROOT = QModelIndex()
 
 Index = QModelIndex | QPersistentModelIndex
@@ -64,7 +61,7 @@ class PlateModel(QAbstractTableModel):
         if orientation != Qt.Orientation.Horizontal:
             return None
         if role == Qt.ItemDataRole.TextAlignmentRole:
-            return _RIGHT if COLUMNS[section] == "worst" else _LEFT
+            return RIGHT if COLUMNS[section] == "worst" else LEFT
         unit = self._scene.view.metric.unit
         worst = self.tr("Worst") + (f" [{unit}]" if unit else "")
         titles = (self.tr("Plate"), self.tr("Title"), self.tr("State"), worst)
@@ -74,19 +71,16 @@ class PlateModel(QAbstractTableModel):
         """What a cell shows."""
         if not index.isValid():
             return None
-        name, key = COLUMNS[index.column()], self.key(index.row())
-        if role == Qt.ItemDataRole.TextAlignmentRole:
-            return _RIGHT if name == "worst" else _LEFT
-        found = self._roles().get(Qt.ItemDataRole(role))
-        return None if found is None else found(key, name)
+        return self._cell(self.key(index.row()), COLUMNS[index.column()]).data(role)
 
-    def _roles(self) -> dict[Qt.ItemDataRole, Callable[[str, str], Any]]:
-        return {
-            Qt.ItemDataRole.DisplayRole: self._text,
-            Qt.ItemDataRole.ForegroundRole: self._colour,
-            Qt.ItemDataRole.FontRole: self._font,
-            Qt.ItemDataRole.ToolTipRole: self._tip,
-        }
+    def _cell(self, key: str, name: str) -> Cell:
+        return Cell(
+            text=self._text(key, name),
+            colour=self._colour(key, name),
+            is_bold=name == "plate" and key == self._scene.view.key,
+            is_number=name == "worst",
+            tip=self._tip(key),
+        )
 
     def _text(self, key: str, name: str) -> str:
         plate, judged = self._scene.state.plate(key), self._quality(key)
@@ -106,25 +100,18 @@ class PlateModel(QAbstractTableModel):
             return self.tr("meshed")
         return self.tr("{count} failing").format(count=counted(judged.failing_count))
 
-    def _colour(self, key: str, name: str) -> QColor | None:
+    def _colour(self, key: str, name: str) -> str:
         judged = self._quality(key) if name in ("state", "worst") else None
         if name == "state" and judged is not None and judged.failing_count:
-            return QColor(self._palette.fail)
+            return self._palette.fail
         if name == "worst" and judged is not None and len(judged.values) and judged.failing[judged.worst_element]:
-            return QColor(self._palette.fail)
-        return QColor(self._palette.dim) if name in ("title", "state") else None
+            return self._palette.fail
+        return self._palette.dim if name in ("title", "state") else ""
 
-    def _font(self, key: str, name: str) -> QFont | None:
-        if name != "plate" or key != self._scene.view.key:
-            return None
-        bold = QFont()
-        bold.setBold(True)
-        return bold
-
-    def _tip(self, key: str, _: str) -> str | None:
+    def _tip(self, key: str) -> str:
         plate = self._scene.state.plate(key)
         if plate is None:
-            return None
+            return ""
         text = self.tr("{title}\n{thickness:g} mm {material}, elements of {size:g} mm")
         return text.format(
             title=plate.title or key, thickness=plate.thickness, material=plate.material, size=plate.target_size

@@ -3,17 +3,15 @@
 from typing import Any
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt
-from PySide6.QtGui import QColor, QFont
 
 from hullquad.metrics import Metric
 from hullquad_app.colours import LIGHT, Palette
 from hullquad_app.inspection import Inspection, Reading
 from hullquad_app.metric_words import accepted, meaning, name_of
+from hullquad_app.panels.cell import LEFT, RIGHT, Cell
 from hullquad_app.panels.figures import valued
 
 COLUMNS = ("metric", "value", "band", "state")
-_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 
 Index = QModelIndex | QPersistentModelIndex
 _ROOT = QModelIndex()
@@ -74,7 +72,7 @@ class ReadingModel(QAbstractTableModel):
         if orientation != Qt.Orientation.Horizontal:
             return None
         if role == Qt.ItemDataRole.TextAlignmentRole:
-            return _RIGHT if COLUMNS[section] == "value" else _LEFT
+            return RIGHT if COLUMNS[section] == "value" else LEFT
         titles = (self.tr("Metric"), self.tr("Value"), self.tr("Accepted"), self.tr("State"))
         return titles[section] if role == Qt.ItemDataRole.DisplayRole else None
 
@@ -83,25 +81,19 @@ class ReadingModel(QAbstractTableModel):
         if not index.isValid():
             return None
         found, name = self._rows[index.row()], COLUMNS[index.column()]
-        if role == Qt.ItemDataRole.TextAlignmentRole:
-            return _RIGHT if name == "value" else _LEFT
         if isinstance(found, str):
-            return self._heading(found, name, role)
-        if role == Qt.ItemDataRole.DisplayRole:
-            return self._text(found, name)
-        if role == Qt.ItemDataRole.ToolTipRole:
-            return found.fate.reason or None if name == "state" else meaning(found.metric)
-        if role == Qt.ItemDataRole.ForegroundRole:
-            return self._colour(found, name)
-        is_bold = (name == "state" and found.fate.is_failing) or (name == "metric" and found.metric is self._chosen)
-        return _bold() if role == Qt.ItemDataRole.FontRole and is_bold else None
+            return Cell(text=found if name == "metric" else "", colour=self._palette.dim, is_bold=True).data(role)
+        return self._cell(found, name).data(role)
 
-    def _heading(self, text: str, name: str, role: int) -> Any:
-        if role == Qt.ItemDataRole.ForegroundRole:
-            return QColor(self._palette.dim)
-        if role == Qt.ItemDataRole.FontRole:
-            return _bold()
-        return text if role == Qt.ItemDataRole.DisplayRole and name == "metric" else None
+    def _cell(self, found: Reading, name: str) -> Cell:
+        is_bold = (name == "state" and found.fate.is_failing) or (name == "metric" and found.metric is self._chosen)
+        return Cell(
+            text=self._text(found, name),
+            colour=self._colour(found, name),
+            is_bold=is_bold,
+            is_number=name == "value",
+            tip=found.fate.reason if name == "state" else meaning(found.metric),
+        )
 
     def _text(self, found: Reading, name: str) -> str:
         if name == "metric":
@@ -112,12 +104,12 @@ class ReadingModel(QAbstractTableModel):
             return valued(found.value, found.judge)
         return accepted(found.judge, found.band) if name == "band" else found.fate.word
 
-    def _colour(self, found: Reading, name: str) -> QColor | None:
+    def _colour(self, found: Reading, name: str) -> str:
         if name == "band":
-            return QColor(self._palette.dim)
+            return self._palette.dim
         if name == "value" and found.fate.is_failing:
-            return QColor(self._palette.fail)
-        return QColor(found.fate.colour(self._palette)) if name == "state" else None
+            return self._palette.fail
+        return found.fate.colour(self._palette) if name == "state" else ""
 
     def _repaint(self) -> None:
         if self.rowCount():
@@ -139,9 +131,3 @@ def _rows(inspection: Inspection, *, only_failing: bool) -> list[str | Reading]:
 
 def _key(row: str | Reading) -> str:
     return row if isinstance(row, str) else row.metric.key
-
-
-def _bold() -> QFont:
-    font = QFont()
-    font.setBold(True)
-    return font

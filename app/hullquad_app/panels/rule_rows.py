@@ -3,12 +3,11 @@
 from typing import TYPE_CHECKING, Any
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QObject, QPersistentModelIndex, Qt
-from PySide6.QtGui import QColor, QFont
 
 from hullquad_app.colours import LIGHT, Palette
 from hullquad_app.level_colours import LEVELS
+from hullquad_app.panels.cell import LEFT, RIGHT, Cell
 from hullquad_app.panels.figures import counted
-from hullquad_app.panels.two_lines import DETAIL
 from hullquad_app.rule_words import kind_of, limit_of, mark_of, source_of
 
 if TYPE_CHECKING:
@@ -17,8 +16,6 @@ if TYPE_CHECKING:
 COLUMNS = ("swatch", "rule", "warn", "error", "given")
 _COUNTS = ("warn", "error", "given")
 _NONE = "–"
-_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
-_LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 
 Index = QModelIndex | QPersistentModelIndex
 _ROOT = QModelIndex()
@@ -67,7 +64,7 @@ class RuleModel(QAbstractTableModel):
             return None
         name = COLUMNS[section]
         if role == Qt.ItemDataRole.TextAlignmentRole:
-            return _RIGHT if name in _COUNTS else _LEFT
+            return RIGHT if name in _COUNTS else LEFT
         texts = {Qt.ItemDataRole.DisplayRole: self._titles, Qt.ItemDataRole.ToolTipRole: self._tips}.get(
             Qt.ItemDataRole(role)
         )
@@ -77,20 +74,18 @@ class RuleModel(QAbstractTableModel):
         """What a cell shows."""
         if not index.isValid():
             return None
-        finding, name = self._findings[index.row()], COLUMNS[index.column()]
-        if role == DETAIL:
-            return self._detail(finding) if name == "rule" else None
-        if role == Qt.ItemDataRole.TextAlignmentRole:
-            return _RIGHT if name in _COUNTS else _LEFT
-        if role == Qt.ItemDataRole.ToolTipRole:
-            return source_of(finding.rule)
-        if role == Qt.ItemDataRole.DisplayRole:
-            return self._text(finding, name)
-        if role == Qt.ItemDataRole.DecorationRole:
-            return self._swatch(finding) if name == "swatch" else None
-        if role == Qt.ItemDataRole.ForegroundRole:
-            return self._colour(finding, name)
-        return self._font(finding, name) if role == Qt.ItemDataRole.FontRole else None
+        return self._cell(self._findings[index.row()], COLUMNS[index.column()]).data(role)
+
+    def _cell(self, finding: "Finding", name: str) -> Cell:
+        return Cell(
+            text=self._text(finding, name),
+            detail=self._detail(finding) if name == "rule" else "",
+            colour=self._colour(finding, name),
+            is_bold=name == "error" and _count(finding, name) > 0,
+            is_number=name in _COUNTS,
+            swatch=_swatch(finding) if name == "swatch" else "",
+            tip=source_of(finding.rule),
+        )
 
     def _titles(self) -> dict[str, str]:
         return {
@@ -123,29 +118,21 @@ class RuleModel(QAbstractTableModel):
             return self.tr("not evaluated: {reason}").format(reason=finding.not_evaluated)
         return f"{mark_of(finding.rule)}: {finding.rule.text}"
 
-    def _swatch(self, finding: "Finding") -> QColor | None:
-        return None if finding.not_evaluated is not None else QColor(LEVELS[int(finding.levels.max(initial=0))])
-
-    def _colour(self, finding: "Finding", name: str) -> QColor | None:
+    def _colour(self, finding: "Finding", name: str) -> str:
         if finding.not_evaluated is not None:
-            return QColor(self._palette.dim)
+            return self._palette.dim
         if name not in _COUNTS:
-            return None
-        is_bad = name == "error" and _count(finding, name) > 0
-        return QColor(
-            self._palette.fail if is_bad else self._palette.text if _count(finding, name) else self._palette.dim
-        )
-
-    def _font(self, finding: "Finding", name: str) -> QFont | None:
-        if name != "error" or not _count(finding, name):
-            return None
-        bold = QFont()
-        bold.setBold(True)
-        return bold
+            return ""
+        count = _count(finding, name)
+        return self._palette.dim if not count else self._palette.fail if name == "error" else self._palette.text
 
     def _repaint(self) -> None:
         if self.rowCount():
             self.dataChanged.emit(self.index(0, 0), self.index(self.rowCount() - 1, len(COLUMNS) - 1))
+
+
+def _swatch(finding: "Finding") -> str:
+    return "" if finding.not_evaluated is not None else LEVELS[int(finding.levels.max(initial=0))]
 
 
 def _count(finding: "Finding", name: str) -> int:

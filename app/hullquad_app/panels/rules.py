@@ -9,7 +9,6 @@ from hullquad_app.panels.ground import coloured, dress
 from hullquad_app.panels.pace import Pace
 from hullquad_app.panels.rule_rows import COLUMNS, RuleModel
 from hullquad_app.panels.table import Table
-from hullquad_app.panels.two_lines import TwoLines
 from hullquad_app.rule_words import about
 from hullquad_app.scene import Scene
 
@@ -34,8 +33,6 @@ class RulesPanel(QWidget):
         self.model = RuleModel(self)
         self.table = Table(self.model, empty=self.tr("Choose a rule set at “Judge by”"))
         self.table.setAccessibleName(self.tr("Rules"))
-        self._cells = TwoLines(self.table)
-        self.table.setItemDelegateForColumn(COLUMNS.index("rule"), self._cells)
         self.table.chosen.connect(lambda row, extend: self._choose(row, extend=extend))
         self.table.opened.connect(lambda row: self.zoom_wanted.emit(self._rows(row)))
         self.table.resized.connect(self._fit)

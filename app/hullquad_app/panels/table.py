@@ -1,4 +1,4 @@
-"""A calm table: whole rows, no grid, swatches that keep their colour when their row is selected."""
+"""A calm table: whole rows, no grid, no frame around the current cell."""
 
 from collections.abc import Iterable
 
@@ -8,61 +8,28 @@ from PySide6.QtCore import (
     QItemSelection,
     QItemSelectionModel,
     QModelIndex,
-    QPersistentModelIndex,
-    QRect,
-    QRectF,
     QSize,
     Qt,
     Signal,
 )
-from PySide6.QtGui import QColor, QFont, QFontMetrics, QIcon, QKeyEvent, QPainter, QPaintEvent, QResizeEvent
+from PySide6.QtGui import QFont, QFontMetrics, QKeyEvent, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QApplication,
     QHeaderView,
-    QStyle,
-    QStyledItemDelegate,
-    QStyleOptionViewItem,
     QTableView,
 )
 
 from hullquad_app.colours import Palette
-from hullquad_app.hatching import draw_hatching, hatch_colour
+from hullquad_app.panels.cells import Cells
 from hullquad_app.panels.figures import CAPTION, sized
 from hullquad_app.panels.ground import dress
 
-HATCHED = Qt.ItemDataRole.UserRole + 2
-"""Role of cells whose square is hatched."""
-Index = QModelIndex | QPersistentModelIndex
 _EXTENDS = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.ControlModifier
 _HEADER = (
     "QHeaderView::section {{ background: {panel}; color: {dim}; border: none;"
     " border-bottom: 1px solid {rule}; padding: 2px 4px; }}"
 )
-
-
-class Cells(QStyledItemDelegate):
-    """Cells without a frame around the current one; a colour is a square in the middle."""
-
-    def initStyleOption(self, option: QStyleOptionViewItem, index: Index) -> None:
-        """Leave out frame and icon."""
-        super().initStyleOption(option, index)
-        option.font = sized(option.font)
-        option.state &= ~QStyle.StateFlag.State_HasFocus
-        option.features &= ~QStyleOptionViewItem.ViewItemFeature.HasDecoration
-        option.icon = QIcon()
-
-    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
-        """Draw a cell, and its square."""
-        super().paint(painter, option, index)
-        colour = index.data(Qt.ItemDataRole.DecorationRole)
-        if isinstance(colour, QColor):
-            side = min(round(0.65 * option.rect.height()), option.fontMetrics.height())
-            square = QRect(0, 0, side, side)
-            square.moveCenter(option.rect.center())
-            painter.fillRect(square, colour)
-            if index.data(HATCHED):
-                draw_hatching(painter, QRectF(square), hatch_colour(colour))
 
 
 class Table(QTableView):
@@ -158,5 +125,6 @@ class Table(QTableView):
         return max(letters.horizontalAdvance(text) for text in texts) + round(1.6 * letters.averageCharWidth())
 
     def _fit_texts(self) -> None:
+        self._cells.set_font(self.font())
         self.verticalHeader().setDefaultSectionSize(round(1.45 * self.fontMetrics().height()))
         self.horizontalHeader().setFont(sized(self.font(), CAPTION))
