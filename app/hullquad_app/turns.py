@@ -4,10 +4,12 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QElapsedTimer, QObject, Qt, QTimer
 
-TICK = 10
-"""Between the beginnings of two pieces, at least [ms]."""
-_IDLE = 500
-"""Time without work after which the clock stops [ms]."""
+_LEAST, _MOST = 1, 5
+"""Rest after a piece: as long as it took, within these bounds [ms]."""
+_LATE = 2
+"""How late the clock may be; later than that the window was busy with other things [ms]."""
+_PATIENCE = 3
+"""How often a piece waits for those at most."""
 
 
 class Turns(QObject):
@@ -21,36 +23,39 @@ class Turns(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._pieces: dict[Callable[[], None], None] = {}
-        self._asked, self._since = QElapsedTimer(), QElapsedTimer()
-        self._waits = False
-        self._clock = QTimer(self, interval=TICK, timerType=Qt.TimerType.PreciseTimer)
+        self._since = QElapsedTimer()
+        self._waited = 0
+        self._clock = QTimer(self, singleShot=True, timerType=Qt.TimerType.PreciseTimer)
         self._clock.timeout.connect(self._tick)
 
     def ask(self, piece: Callable[[], None]) -> None:
         """Have something done soon."""
         self._pieces.setdefault(piece)
-        self._asked.start()
         if not self._clock.isActive():
-            self._since.start()
-            self._clock.start()
+            self._rest(_LEAST)
 
     def stop(self) -> None:
         """Forget what has not been done."""
         self._pieces.clear()
         self._clock.stop()
 
+    def _rest(self, milliseconds: int) -> None:
+        self._since.start()
+        self._clock.start(milliseconds)
+
     def _tick(self) -> None:
-        was_busy = self._since.restart() > TICK
         if not self._pieces:
-            if self._asked.hasExpired(_IDLE):
-                self._clock.stop()
-        elif was_busy and not self._waits:
-            self._waits = True  # what the window was busy with may not be through yet
+            return
+        is_late = self._since.hasExpired(self._clock.interval() + _LATE)
+        if is_late and self._waited < _PATIENCE:
+            self._waited += 1  # what the window was busy with may not be through yet
+            self._rest(_LEAST)
         else:
-            self._waits = False
+            self._waited = 0
             self._do(next(iter(self._pieces)))
 
     def _do(self, piece: Callable[[], None]) -> None:
         del self._pieces[piece]
-        piece()
         self._since.start()
+        piece()
+        self._rest(min(max(self._since.elapsed(), _LEAST), _MOST))

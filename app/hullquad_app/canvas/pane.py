@@ -82,6 +82,11 @@ class Pane(QWidget):
     def _catch_up(self) -> None:
         if self._is_due and self.isVisible():
             self._draw()
+            self._turns.ask(self._put_up)
+
+    def _put_up(self) -> None:
+        """Have the picture painted, in a turn of its own, unless something else has."""
+        if self._took is not None:
             self.update()
 
     def _size(self) -> QSize:
@@ -95,7 +100,8 @@ class Pane(QWidget):
         start, size = perf_counter(), self._size()
         self._is_due, self.is_smooth = False, self._drawing.samples > 0
         pixels = self._drawing.pixels(size.width(), size.height())
-        self._image = QImage(pixels.data, size.width(), size.height(), QImage.Format.Format_RGBX8888).copy()
+        drawn = QImage(pixels.data, size.width(), size.height(), QImage.Format.Format_RGBX8888)
+        self._image = drawn.convertToFormat(QImage.Format.Format_RGB32)  # the screen's, in memory of its own
         self._image.setDevicePixelRatio(self.devicePixelRatioF())
         self._took = perf_counter() - start
         self._last.append(self._took)
