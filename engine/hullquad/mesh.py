@@ -7,7 +7,7 @@ import numpy as np
 
 from hullquad.arrays import Floats, Ints, floats
 from hullquad.surface import Plane
-from hullquad.topology import Topology
+from hullquad.topology import Topology, rim_edge_count
 
 
 @attrs.frozen(eq=False, kw_only=True, repr=False)
@@ -30,6 +30,9 @@ class Mesh:
     """(L, 2, 3) ends of the plate's stiffener and seam lines [mm]."""
     reference_areas: Floats | None = attrs.field(default=None, converter=attrs.converters.optional(floats))
     """(2,) what sizes of quads and of triangles are relative to [mm²]; None for the means of its own."""
+    unavoidable: int | None = None
+    """Triangles that no mesh with these nodes on its contour and its followed lines can do without; None where elements
+    follow no lines, for then the contour tells."""
     plate_id: str = ""
     thickness: float | None = None
     """[mm]"""
@@ -45,6 +48,11 @@ class Mesh:
     def is_bare(self) -> bool:
         """Whether nothing is known of it but nodes and elements: it comes from another program."""
         return not self.input_hash
+
+    @property
+    def triangles_unavoidable(self) -> int:
+        """Triangles that no mesh of this contour, and with these followed lines, can do without."""
+        return rim_edge_count(self.topology.elements) % 2 if self.unavoidable is None else self.unavoidable
 
     @property
     def normals(self) -> Floats:

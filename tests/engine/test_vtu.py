@@ -61,6 +61,7 @@ def meshes(draw) -> Mesh:
         surface=plane,
         parameters=None if plane is None else parameters,
         lines=random.normal(size=(lines, 2, 3)),
+        unavoidable=draw(some.none() | some.integers(0, len(elements))),
         plate_id=draw(some.text(some.characters(exclude_categories=["Cs"]), max_size=12)),
         thickness=draw(some.none() | some.floats(1e-3, 1e3)),
         input_hash=draw(some.sampled_from(["", "9f" * 32])),

@@ -6,7 +6,7 @@ from hullquad.mesh import Mesh
 from hullquad.metrics import Metric
 from hullquad.optimization.iterate import Outcome
 from hullquad.quality import Quality
-from hullquad.topology import reversed_elements, rim_edge_count
+from hullquad.topology import reversed_elements
 
 
 def run_figures(run: Outcome) -> dict[str, Any]:
@@ -33,7 +33,7 @@ def mesh_figures(mesh: Mesh, quality: Quality) -> dict[str, Any]:
         "plate": mesh.plate_id,
         "quads": len(topology.quads),
         "triangles": len(topology.triangles),
-        "triangles_unavoidable": None if mesh.is_bare else rim_edge_count(topology.elements) % 2,
+        "triangles_unavoidable": None if mesh.is_bare else mesh.triangles_unavoidable,
         "nodes": len(mesh.points),
         "free": int(topology.is_free.sum()),
         "inverted": quality.inverted_count,

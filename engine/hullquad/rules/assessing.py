@@ -13,7 +13,6 @@ from hullquad.rules.assessment import Assessment, Finding
 from hullquad.rules.measures import MEASURES, TRIANGLE_SHARE, VALID, Measure
 from hullquad.rules.rule import Level, Rule, RuleSet, Status, widened
 from hullquad.sentences import SENTENCES
-from hullquad.topology import rim_edge_count
 
 NO_INVERTED = Rule(
     measure=VALID,
@@ -112,7 +111,7 @@ def _triangle_share(judged: _Judged, rule: Rule) -> Finding:
     count = int(is_triangle.sum())
     values = floats(np.full(len(is_triangle), count / max(1, len(is_triangle))))
     levels = small_ints(np.where(is_triangle, rule.levels(values), Level.OK))
-    is_forced = count == 1 and rim_edge_count(judged.mesh.topology.elements) % 2 == 1
+    is_forced = count == judged.mesh.triangles_unavoidable
     return Finding(rule=rule, metric=None, values=values, levels=levels, given=np.asarray((levels > 0) & is_forced))
 
 

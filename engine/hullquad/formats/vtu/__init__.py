@@ -14,7 +14,7 @@ import numpy as np
 
 import hullquad
 from hullquad import worker
-from hullquad.arrays import Floats, floats
+from hullquad.arrays import Floats, floats, longs
 from hullquad.formats import atomic, imported, source
 from hullquad.formats.vtu import cells, mesh_arrays, writer
 from hullquad.formats.vtu.data_arrays import reals
@@ -133,6 +133,8 @@ def _field_data(mesh: Mesh) -> Chunks:
         parts.append(numbers("thickness", floats([mesh.thickness]), is_field=True))
     if mesh.reference_areas is not None:
         parts.append(numbers("reference areas", mesh.reference_areas, is_field=True))
+    if mesh.unavoidable is not None:
+        parts.append(numbers("unavoidable triangles", longs([mesh.unavoidable]), is_field=True))
     if plane is not None:
         parts.append(numbers("plane", np.stack([plane.origin, plane.u, plane.v]), is_field=True))
     if len(mesh.lines):

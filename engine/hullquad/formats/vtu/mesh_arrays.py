@@ -15,6 +15,8 @@ FieldData     target size          1          [mm]
 FieldData     thickness            1          [mm]; not there when it is unknown
 FieldData     reference areas      1          of quads and triangles, what sizes are relative to [mm²]; not there
                                               when it is the means of the elements
+FieldData     unavoidable          1          triangles that the contour and followed lines ask for; only where lines
+              triangles                       are followed
 FieldData     plane                3          origin, u and v; not there when the mesh is not flat
 FieldData     lines                6          both ends of each stiffener and seam line; not there without
 ============  ===================  =========  ==========================================================
@@ -40,6 +42,7 @@ VERSION = "hullquad version"
 _SIGNS = {VERSION, "node state", "node line"}
 _MOST_LINES = 100_000
 _AREAS = "reference areas"
+_UNAVOIDABLE = "unavoidable triangles"
 _SHARED = 4 * JOIN  # handed on from plate to plate; how far a shared node may be off the plane of one of them
 _UNIT = 1e-9  # how far the axes of a plane may be from unit length and from square
 
@@ -79,6 +82,7 @@ def mesh(points: Floats, elements: Ints, found: Sections, file: Document) -> Mes
         parameters=None if plane is None else reader.parameters(points, plane, topology.node_states),
         lines=lines,
         reference_areas=reader.areas(),
+        unavoidable=reader.unavoidable(len(elements)),
         plate_id=reader.text("plate id"),
         thickness=reader.length("thickness") if "thickness" in found.whole else None,
         input_hash=reader.text("input hash"),
@@ -139,7 +143,7 @@ class _Reader:
         array = self._array(self.found.nodes, "parameters")
         parameters = self._finite("parameters", reals(array, len(points), 2, self.file))
         away = np.linalg.norm(plane.points(parameters) - points, axis=1)
-        is_shared = (states == NodeState.CONTOUR) | (states == NodeState.FIXED)
+        is_shared = np.isin(states, (NodeState.CONTOUR, NodeState.FIXED, NodeState.ON_LINE))
         least = 10.0 * placement.FLATNESS * placement.diameter(points)
         if (away > np.where(is_shared, max(least, _SHARED), least)).any():
             raise self.file.refusal("moved", away=away.max())
@@ -158,6 +162,13 @@ class _Reader:
         if (areas < 0.0).any():
             raise self.file.refusal("length_value", name=_AREAS, found=areas.min())
         return areas
+
+    def unavoidable(self, elements: int) -> int | None:
+        if _UNAVOIDABLE not in self.found.whole:
+            return None
+        counts = integers(self.found.whole[_UNAVOIDABLE], 1, self.file)
+        self._within(_UNAVOIDABLE, counts, 0, elements)
+        return int(counts[0])
 
     def text(self, name: str) -> str:
         return text(self._array(self.found.whole, name), self.file)
