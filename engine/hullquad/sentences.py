@@ -125,6 +125,8 @@ SENTENCES: dict[str, str] = {
     "E_TRIANGLE:moved": "the triangles do not have the nodes of the contour; report the fault together with this plate",
     "E_TRIANGLE:unused": "{count} nodes belong to no triangle; look for points that nearly touch the contour here",
     "E_TRIANGLE:contour": "the triangles do not end at the contour; look for edges that nearly touch each other here",
+    "E_TRIANGLE:lines": "the triangles do not follow the lines; look for lines that nearly touch each other here, or "
+    "follow only their ends",
     "E_TRIANGLE:areas": "the triangles do not cover the plate exactly; look for edges that nearly touch each "
     "other here",
     # plates

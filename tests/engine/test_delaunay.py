@@ -111,6 +111,22 @@ def test_triangles_keep_area_and_angle_when_the_contour_is_divided_to_match() ->
     assert corner_angles(found).min() >= 30.0
 
 
+@pytest.mark.parametrize("area", [None, 5000.0])
+def test_lines_are_edges_of_triangles(area: float | None) -> None:
+    across = np.array([[500, 0], [1000, 500], [500, 1000], [0, 500], [500, 500], [300, 700], [500, 250]])
+    nodes = np.vstack([[SQUARE[i], across[i]] for i in range(4)] + [across[4:]])
+    lines = [[1, 10], [10, 8], [8, 9]]
+    found = triangles_of(nodes, [0, 8], area, lines=lines)
+    edges = {frozenset(pair) for row in found.triangles.tolist() for pair in zip(row, row[1:] + row[:1], strict=True)}
+    assert {frozenset(line) for line in lines} <= edges
+    agrees(found, nodes, [0, 8])
+
+
+@pytest.mark.parametrize("lines", [[[0, 2], [1, 3]], [[0, 9]], [[-1, 2]], [[0, 4], [0, 2]]])
+def test_lines_that_cannot_be_edges_are_refused(lines: list[list[int]]) -> None:
+    assert refusal(np.vstack([SQUARE, [[500, 500]]]), [0, 4], area=None, lines=lines) == "E_TRIANGLE:lines"
+
+
 def test_a_hole_stays_empty() -> None:
     nodes, starts = loops_of(SQUARE, HOLE)
     found = triangles_of(nodes, starts)

@@ -39,10 +39,11 @@ def triangulate(
     area: float | None,
     min_angle: float = 30.0,
     place: str,
+    lines: npt.ArrayLike = (),
     seconds: float = 30.0,
     element_limit: int = 5_000_000,
 ) -> Triangulation:
-    """Triangles of a polygon with holes; new nodes appear only inside, never on its contour.
+    """Triangles of a polygon with holes; new nodes appear only inside, never on its contour or on lines.
 
     Parameters
     ----------
@@ -59,6 +60,8 @@ def triangulate(
         Smallest angle [degrees], up to 33.
     place
         What errors name: ``plate H1``.
+    lines : (S, 2) int array, optional
+        Nodes of segments inside that become edges of triangles; they have nothing in common but their ends.
     seconds
         Time limit.
     element_limit
@@ -73,12 +76,15 @@ def triangulate(
     """
     refuse_limits(area, min_angle, place)
     given = sound_region(nodes, loop_starts, place)
+    inner = longs(np.reshape(lines, (-1, 2)))
+    if len(inner) and not (inner.min() >= 0 and inner.max() < len(given.nodes)):
+        raise MeshingError("E_TRIANGLE", place, "lines")
     expected = expected_triangles(given, area)
     refuse_too_many(expected, element_limit, place)
     box = box_around(given.nodes)
     region = Region(box.into(given.nodes), given.starts)
     switches = "p" if area is None else _switches(box.area_into(area), min_angle, element_limit)
-    work = (switches, region.nodes, region.edges, region.hole_points)
+    work = (switches, region.nodes, np.concatenate([region.edges, inner]), region.hole_points)
     memory = MEMORY + int(MEMORY_PER_TRIANGLE * expected)
     try:
         found, triangles = worker.call(_triangle, *work, seconds=seconds, memory=memory, place=place)
@@ -88,9 +94,9 @@ def triangulate(
         raise MeshingError("E_TRIANGLE", place, "given_up") from error
     refuse_too_many(len(triangles), element_limit, place)
     found, triangles = _used(found, triangles, len(region.nodes))
-    _refuse_disagreement(region, found, triangles, place)
-    inner = box.out_of(found[len(region.nodes) :])
-    return Triangulation(np.concatenate([given.nodes, inner]), triangles)
+    _refuse_disagreement(region, inner, found, triangles, place)
+    added = box.out_of(found[len(region.nodes) :])
+    return Triangulation(np.concatenate([given.nodes, added]), triangles)
 
 
 def _switches(area: float, min_angle: float, element_limit: int) -> str:
@@ -120,7 +126,7 @@ def _used(nodes: Floats, triangles: Ints, given: int) -> tuple[Floats, Ints]:
     return nodes[kept], ints((np.cumsum(kept) - 1)[triangles])
 
 
-def _refuse_disagreement(region: Region, nodes: Floats, triangles: Ints, place: str) -> None:
+def _refuse_disagreement(region: Region, lines: Longs, nodes: Floats, triangles: Ints, place: str) -> None:
     """Refuse triangles that are not exactly those of the region."""
     if not np.array_equal(nodes[: len(region.nodes)], region.nodes):
         raise MeshingError("E_TRIANGLE", place, "moved")
@@ -129,9 +135,19 @@ def _refuse_disagreement(region: Region, nodes: Floats, triangles: Ints, place: 
         raise MeshingError("E_TRIANGLE", place, "unused", count=int(unused.sum()))
     if not np.array_equal(_sorted(_rim(triangles)), _sorted(region.edges)):
         raise MeshingError("E_TRIANGLE", place, "contour")
+    if not _has_edges(triangles, lines):
+        raise MeshingError("E_TRIANGLE", place, "lines")
     areas = _areas(nodes[triangles])
     if not ((areas > 0).all() and np.isclose(areas.sum(), region.polygon.area, rtol=1e-9, atol=0)):
         raise MeshingError("E_TRIANGLE", place, "areas")
+
+
+def _has_edges(triangles: Ints, lines: Longs) -> bool:
+    """Whether triangles have all of these edges."""
+    sides = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2)
+    width = int(triangles.max()) + 1
+    known = np.sort(sides, axis=1).astype(np.int64) @ [width, 1]
+    return bool(np.isin(np.sort(lines, axis=1) @ [width, 1], known).all())
 
 
 def _rim(triangles: Ints) -> Ints:

@@ -10,6 +10,7 @@ from hullquad.arrays import Floats, Longs, floats, longs
 from hullquad.plate import Plate, signed_area
 from hullquad.triangulation.anchors import Snap
 from hullquad.triangulation.clearance import segments
+from hullquad.triangulation.cutting import Cut
 from hullquad.triangulation.sides import Sides, sides
 
 
@@ -97,6 +98,11 @@ class Contour:
     def sides(self) -> Sides:
         """Sides of the regions that the followed lines make."""
         return sides(self.nodes, self.segments, self.line_edges)
+
+    @cached_property
+    def cut(self) -> Cut:
+        """The nodes of these regions, each with its own."""
+        return Cut(self.sides, len(self.nodes))
 
     @cached_property
     def segments(self) -> Longs:

@@ -1,5 +1,7 @@
 r"""Directions and sizes that elements should have everywhere in a plate, from the segments of its contour.
 
+Followed lines are segments of the contours of the regions that they divide the plate into: each region is by itself.
+
 On a coarse background triangulation live five numbers per node: the **cross** (cos 4a, sin 4a), which is the same for
 a direction and for those a quarter turn away, and the **size**, a symmetric matrix M: an edge along the unit vector t
 should be t' M t long. Each segment of the contour wants its own direction and, along itself, its own length; in
@@ -19,6 +21,9 @@ from hullquad.arrays import Floats, Ints, Longs, floats, longs
 from hullquad.topology import paired_sides
 from hullquad.triangulation.contour import Contour
 from hullquad.triangulation.delaunay import triangulate
+from hullquad.triangulation.sides import Sides, fitting_elements
+
+__all__ = ["GRADING", "Field", "corners", "field", "fitting_elements"]
 
 BACKGROUND_AREA = 2.0
 """Largest background triangle over the square of the element size."""
@@ -43,11 +48,11 @@ class Field:
     """Cross and size on a background triangulation."""
 
     nodes: Floats = attrs.field(converter=floats)
-    """(B, 2) those of the contour first [mm]."""
+    """(B, 2) those of the contour first, cut along followed lines [mm]."""
     triangles: Longs = attrs.field(converter=longs)
     """(S, 3)"""
     neighbours: Longs = attrs.field(converter=longs)
-    """(S, 3) triangle across the side from corner i to corner i + 1, -1 on the contour."""
+    """(S, 3) triangle across the side from corner i to corner i + 1, -1 on the contour and on followed lines."""
     values: Floats = attrs.field(converter=floats)
     """(B, 5) cos 4a, sin 4a and m1, m2, m3 of M = [[m1 + m2, m3], [m3, m1 - m2]] [mm]."""
     seeds: Floats = attrs.field(converter=floats)
@@ -70,13 +75,15 @@ def field(contour: Contour, grading: float = GRADING) -> Field:
         area=BACKGROUND_AREA * contour.size**2,
         min_angle=BACKGROUND_ANGLE,
         place=contour.plate.place,
+        lines=contour.line_edges,
     )
-    stiffness = _stiffness(ground.nodes, ground.triangles)
-    wishes = _Wishes(contour, len(ground.nodes))
+    nodes, triangles = contour.cut.cut(ground.nodes, ground.triangles)
+    stiffness = _stiffness(nodes, triangles)
+    wishes = _Wishes(contour, len(nodes))
     return Field(
-        nodes=ground.nodes,
-        triangles=ground.triangles,
-        neighbours=_neighbours(ground.triangles),
+        nodes=nodes,
+        triangles=triangles,
+        neighbours=_neighbours(triangles),
         values=np.hstack([_crosses(stiffness, wishes), _sizes(stiffness, wishes, contour.size)]),
         seeds=wishes.seeds,
         grading=grading,
@@ -84,45 +91,34 @@ def field(contour: Contour, grading: float = GRADING) -> Field:
 
 
 class _Wishes:
-    """What the segments of a contour want, at both of their ends."""
+    """What the sides of a contour's regions want, at both of their ends."""
 
     def __init__(self, contour: Contour, nodes: int) -> None:
-        ends = contour.segments.astype(np.int64)
-        along = contour.nodes[ends[:, 1]] - contour.nodes[ends[:, 0]]
+        cut, around = contour.cut, contour.sides
+        ends = cut.segments
+        along = cut.nodes[ends[:, 1]] - cut.nodes[ends[:, 0]]
         self.nodes = nodes
         self.ends = ends.ravel()
         self.lengths = np.repeat(np.hypot(*along.T), 2)
-        self.angles = np.repeat(np.arctan2(along[:, 1], along[:, 0]), 2)
+        self.angles = np.repeat(around.headings, 2)
         is_fine = self.lengths[::2] < SHORT * contour.size
         self.is_normal = np.repeat(~is_fine, 2)
-        middles = contour.nodes[ends].mean(axis=1)
+        middles = cut.nodes[ends].mean(axis=1)
         self.seeds = np.column_stack([middles, self.lengths[::2]])[is_fine]
-        self.crosses = 4 * _arms(contour)
-
-
-def _arms(contour: Contour) -> Floats:
-    """(R,) angle of the cross that fits best into the corner at each contour node [rad].
-
-    The arms share the corner out evenly: between as many elements as fit, to the nearest right angle.
-    """
-    angles, starts = corners(contour)
-    elements = fitting_elements(angles)
-    return floats(starts + angles / 2 + np.where(elements % 2 == 1, np.pi / 4, 0.0))
+        self.crosses = 4 * _arms(around)
 
 
 def corners(contour: Contour) -> tuple[Floats, Floats]:
-    """(R,) interior angle at each contour node, and the direction of the segment that leaves it [rad]."""
-    ends = contour.segments
-    along = contour.nodes[ends[:, 1]] - contour.nodes[ends[:, 0]]
-    leaving = np.arctan2(along[:, 1], along[:, 0])
-    arriving = np.empty_like(leaving)
-    arriving[ends[:, 1]] = leaving + np.pi
-    return floats((arriving - leaving) % (2 * np.pi)), floats(leaving)
+    """(S,) angle of the corner from which each side leaves, and direction of the side [rad]."""
+    return contour.sides.angles, contour.sides.headings
 
 
-def fitting_elements(angles: Floats) -> Longs:
-    """Number of elements that fit best into corners [rad]: to the nearest right angle, at least one."""
-    return longs(np.maximum(1, np.round(angles / (np.pi / 2))))
+def _arms(around: Sides) -> Floats:
+    """(S,) angle of the cross that fits best into the corner from which each side leaves [rad].
+
+    The arms share the corner out evenly: between as many elements as fit, to the nearest right angle.
+    """
+    return floats(around.headings + around.angles / 2 + np.where(around.fitting % 2 == 1, np.pi / 4, 0.0))
 
 
 def _crosses(stiffness: sparse.csc_array, wishes: _Wishes) -> Floats:
