@@ -243,6 +243,24 @@ SENTENCES: dict[str, str] = {
     "W_ODD:shared": "odd number of contour edges: {count} with segments of {size:g} mm; one triangle is unavoidable, "
     "one node more or fewer on an edge makes it none, best {number} segments instead of {before} at {where}, which "
     "other plates have too",
+    "W_ODD_PART": "the part of the plate around ({u:.7g}, {v:.7g}) has an odd number of edges ({count}), and no line "
+    "of its own that may be divided otherwise; one triangle is unavoidable there, one node more or fewer on one of "
+    "its edges on the contour makes it none",
+    "W_LINE_BESIDE": "from ({u:.7g}, {v:.7g}) to ({to_u:.7g}, {to_v:.7g}) the line runs beside the contour or another "
+    "line, nearer than {least:.3g} mm; elements do not follow it there (lines with such parts: {count}): move it upon "
+    "the other one, or away",
+    "W_LINE_NEAR:contour": "at ({u:.7g}, {v:.7g}) the line is only {width:.3g} mm from the contour, too narrow for "
+    "elements of {size:g} mm that follow it (lines so near: {count}); choose {helping:.4g} mm or less, or follow only "
+    "the ends of lines",
+    "W_LINE_NEAR:line": "at ({u:.7g}, {v:.7g}) the line is only {width:.3g} mm from another one, too narrow for "
+    "elements of {size:g} mm that follow both (lines so near: {count}); choose {helping:.4g} mm or less, or follow "
+    "only the ends of lines",
+    "W_LINE_SHORT": "around ({u:.7g}, {v:.7g}) a piece of the line is {length:.3g} mm long, less than a fifth of the "
+    "element size ({least:.4g} mm); the elements that follow it will be small (lines with such pieces: {count}): let "
+    "lines meet in one point",
+    "W_LINE_ANGLE": "at ({u:.7g}, {v:.7g}) the line meets the contour or another line under only {angle:.3g} degrees: "
+    "the scaled Jacobian of a quad that follows both is at most {best:.2f}, which fails (lines with such angles: "
+    "{count}); follow only the ends of lines, or end the line elsewhere",
     "W_SIZE": "elements of {size:g} mm are larger than the plate, whose extent is {extent:.4g} mm: its edges will have "
     "one segment each; only sizes below that make a difference",
     "W_LIGAMENT:contour": "the strip of {width:.3g} mm between the hole and the outer contour at ({u:.7g}, {v:.7g}) is "

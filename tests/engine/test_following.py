@@ -10,6 +10,7 @@ from hullquad.curves import Straight
 from hullquad.plate import Document, Line, Plate, Sizes, closed_loop
 from hullquad.surface import Plane
 from hullquad.triangulation import parity
+from hullquad.triangulation.concerns import division_concerns
 from hullquad.triangulation.contour import contours
 
 WALL = Plane([0, 0, 500], [0, 1, 0], [0, 0, 1])
@@ -250,3 +251,50 @@ def bin_left(odd, ways, mask):
         if mask >> i & 1:
             left ^= {a} ^ {b}
     return len(left)
+
+
+def told(*lines, **described):
+    return {notice.code: notice for notice in division_concerns(followed(*lines, **described))}
+
+
+def test_what_is_not_followed_is_told_with_its_place():
+    notice = told(((500, 0), (500, 1000)), ((501, 0), (501.5, 1000)))["W_LINE_BESIDE"]
+    assert notice.place == "/plates/0/stiffeners/1"
+    assert "beside" in notice.text
+
+
+@pytest.mark.parametrize(
+    ("lines", "code"),
+    [
+        ([((890, 0), (890, 1000))], "W_LINE_NEAR"),
+        ([((500, 0), (500, 1000)), ((512, 0), (512, 1000))], "W_LINE_NEAR"),
+        ([((500, 0), (500, 1000)), ((0, 500), (2000, 500)), ((0, 495), (1000, 505 + 10))], "W_LINE_SHORT"),
+        ([((0, 500), (2000, 900)), ((0, 500), (2000, 500))], "W_LINE_ANGLE"),
+    ],
+)
+def test_lines_that_force_poor_elements_are_told_of(lines, code):
+    notice = told(*lines, holes=[HOLE])[code]
+    assert notice.place.startswith("/plates/0/stiffeners/")
+    assert notice.text
+
+
+def test_usual_lines_are_no_concern():
+    lines = [((x, 0), (x, 1000)) for x in (300, 600, 1500)] + [((0, 500), (600, 500)), ((1500, 200), (1900, 200))]
+    assert not [code for code in told(*lines, holes=[HOLE]) if "LINE" in code]
+
+
+def test_a_part_between_other_plates_that_stays_odd_is_told_of():
+    shell = plate(size=200.0, divisions=((10, 6, 10, 6),))
+    floors = [
+        plate(
+            outer=[(0, 0), (700, 0), (700, 1000), (0, 1000)],
+            size=200.0,
+            name=f"F{x}",
+            surface=Plane([0, x, 500], [1, 0, 0], [0, 0, 1]),
+        )
+        for x in (600, 1400)
+    ]
+    found = contours(document(shell, *floors), follow_lines=True)["P"]
+    odd = [notice for notice in division_concerns(found) if notice.code == "W_ODD_PART"]
+    assert len(odd) == found.triangles_unavoidable > found.edge_count % 2
+    assert "odd number" in odd[0].text

@@ -9,6 +9,7 @@ import shapely
 from hullquad.plate import JOIN, Document, Loop, Notice, Plate
 from hullquad.triangulation.contour import Contour
 from hullquad.triangulation.gaps import gaps
+from hullquad.triangulation.line_concerns import line_concerns
 from hullquad.triangulation.neighbours import neighbours
 from hullquad.triangulation.remedies import edge_place, remedy
 
@@ -22,7 +23,7 @@ _NARROW = 0.2
 
 def concerns_of(document: Document, size: float | str | None, contour: Contour) -> Iterator[Notice]:
     """Warnings about a plate of a document that is meshed from this contour, which was divided for a size."""
-    change = remedy(document, contour.plate.id, size) if contour.triangles_unavoidable else None
+    change = remedy(document, contour.plate.id, size) if contour.is_odd else None
     told = {} if change is None else attrs.asdict(change) | {"where": edge_place(document, change)}
     case = "" if change is None else "shared" if change.neighbours else "edge"
     for notice in division_concerns(contour):
@@ -33,8 +34,9 @@ def concerns_of(document: Document, size: float | str | None, contour: Contour) 
 def division_concerns(contour: Contour) -> Iterator[Notice]:
     """Those that need no other plate."""
     yield from size_concerns(contour.plate, contour.size)
-    if contour.triangles_unavoidable:
+    if contour.is_odd and contour.triangles_unavoidable == 1:
         yield Notice("W_ODD", contour.plate.place, "", {"count": contour.edge_count, "size": contour.size})
+    yield from line_concerns(contour)
     yield from _snapped(contour)
     yield from _near_contour(contour)
 
@@ -77,14 +79,15 @@ def _snapped(contour: Contour) -> Iterator[Notice]:
 def _near_contour(contour: Contour) -> Iterator[Notice]:
     """Fixed nodes so near to the contour or to each other that the elements between them are slivers."""
     rim = shapely.multilinestrings([shapely.linearrings(ring) for ring in contour.rings])
-    points = shapely.points(contour.inside)
+    inside = contour.inside[: len(contour.inside_places)]
+    points = shapely.points(inside)
     away = shapely.distance(rim, points)
-    if len(contour.inside) > 1:
+    if len(inside) > 1:
         near = shapely.STRtree(points).query(points, predicate="dwithin", distance=_NEAR * contour.size).T
         one, other = near[near[:, 0] != near[:, 1]].T
         np.minimum.at(away, one, shapely.distance(points[one], points[other]))
     for i in np.flatnonzero(away < _NEAR * contour.size):
-        u, v = contour.inside[i]
+        u, v = inside[i]
         numbers = {"u": u, "v": v, "distance": float(away[i]), "size": contour.size}
         yield Notice("W_NEAR", contour.inside_places[i], "", numbers)
 

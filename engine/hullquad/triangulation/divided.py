@@ -26,6 +26,8 @@ class Followed:
     """Number of pieces that are followed."""
     edges: Longs = attrs.field(converter=longs)
     """(K, 2) segments of all pieces, and of the rows of nodes that other plates have on this one."""
+    edge_pieces: Longs = attrs.field(converter=longs)
+    """(K,) piece of each edge, -1 for those of rows."""
     node_lines: Longs = attrs.field(converter=longs)
     """(N,) piece that a node divides, else -1."""
 
@@ -75,6 +77,11 @@ class Contour:
     def edge_count(self) -> int:
         """Number of segments, and of nodes on the loops."""
         return int(self.loop_starts[-1])
+
+    @property
+    def is_odd(self) -> bool:
+        """Whether the contour as a whole has an odd number of edges, so that one more or fewer makes it even."""
+        return self.edge_count % 2 == 1
 
     @property
     def triangles_unavoidable(self) -> int:

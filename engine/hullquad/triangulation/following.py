@@ -22,7 +22,8 @@ NEAREST = 0.02
 """Distance from what it runs beside, over the element size, below which a piece is not followed."""
 _ALONG = 0.2
 """Sine of the angle up to which things run beside each other; others only meet."""
-_PROBES = np.array([0.25, 0.5, 0.75])
+PROBES = np.array([0.25, 0.5, 0.75])
+"""Where on a piece it is seen whether it runs beside something."""
 
 
 @attrs.frozen(eq=False, kw_only=True)
@@ -81,6 +82,7 @@ def followed(chosen: Plan, given: Mapping[int, int]) -> Contour:
         places=tuple(chosen.places[line] for line in lines) if chosen.places else (),
         count=len(shown),
         edges=np.concatenate([np.empty((0, 2), dtype=np.int64), *listing.edges]),
+        edge_pieces=np.repeat(np.where(is_row[order], -1, np.arange(len(order))), counts[order]),
         node_lines=np.concatenate(listing.node_lines),
     )
     nodes, points = np.concatenate(listing.nodes), np.concatenate(listing.points)
@@ -118,10 +120,10 @@ def _beside(found: Arrangement, segments: Longs, size: float) -> Bools:
     count, ends = len(found.pieces), found.vertices[np.concatenate([found.pieces, segments])]
     ways = ends[:, 1] - ends[:, 0]
     lengths = np.hypot(*ways.T)
-    probes = (ends[:count, :1] + _PROBES[:, None] * ways[:count, None]).reshape(-1, 2)
+    probes = (ends[:count, :1] + PROBES[:, None] * ways[:count, None]).reshape(-1, 2)
     tree = shapely.STRtree(shapely.linestrings(ends))
     probe, other = tree.query(shapely.points(probes), predicate="dwithin", distance=NEAREST * size)
-    piece = probe // len(_PROBES)
+    piece = probe // len(PROBES)
     sines = (ways[piece, 0] * ways[other, 1] - ways[piece, 1] * ways[other, 0]) / (lengths[piece] * lengths[other])
     feet = ((probes[probe] - ends[other, 0]) * ways[other]).sum(axis=1) / lengths[other] ** 2
     is_beside = (piece != other) & (np.abs(sines) < _ALONG) & (feet > 0) & (feet < 1)
