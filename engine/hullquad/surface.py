@@ -1,5 +1,6 @@
 """The surface a plate lies on: from its parameter plane to space."""
 
+from functools import cached_property
 from math import comb
 
 import attrs
@@ -16,7 +17,7 @@ class Plane:
     u: Floats = attrs.field(converter=floats)
     v: Floats = attrs.field(converter=floats)
 
-    @property
+    @cached_property
     def normal(self) -> Floats:
         """(3,) unit normal u x v."""
         return floats(np.cross(self.u, self.v))

@@ -55,8 +55,18 @@ class Topology:
 
     @cached_property
     def is_free(self) -> Bools:
-        """(N,) which nodes an optimiser may move."""
-        return np.equal(self.node_states, NodeState.FREE)
+        """(N,) which nodes an optimiser may move: anywhere, or along their line."""
+        return np.equal(self.node_states, NodeState.FREE) | self.slides
+
+    @cached_property
+    def slides(self) -> Bools:
+        """(N,) which nodes move along a line only."""
+        return np.equal(self.node_states, NodeState.ON_LINE) & np.greater_equal(self.node_lines, 0)
+
+    @cached_property
+    def is_reversed(self) -> Bools:
+        """(E,) which elements run against their neighbours, see `reversed_elements`."""
+        return reversed_elements(self.elements)
 
 
 def topology(elements: Ints, node_states: Bytes, node_lines: Ints | None = None) -> Topology:
@@ -127,14 +137,16 @@ def reversed_elements(elements: Ints) -> Bools:
     Neighbours agree when they run through their common edge in opposite directions. Edges with more than
     two elements (T-joints) connect nothing; a one-sided (Moebius) part has no reversed elements.
     """
-    from scipy import sparse  # noqa: PLC0415  a quarter of a second, and few need it
-    from scipy.sparse.csgraph import connected_components  # noqa: PLC0415
-
     sides, owners = half_edges(elements)
     count = len(elements)
     side, other_side = paired_sides(sides)
     one, other = owners[side], owners[other_side]
     against = sides[side, 0] == sides[other_side, 0]
+    if not against.any():
+        return np.zeros(count, dtype=bool)
+    from scipy import sparse  # noqa: PLC0415  a quarter of a second, and few need it
+    from scipy.sparse.csgraph import connected_components  # noqa: PLC0415
+
     # each element stands twice in this graph, as it is and turned over; an edge joins what agrees
     rows = np.concatenate([one, one + count])
     columns = np.concatenate([np.where(against, other + count, other), np.where(against, other, other + count)])

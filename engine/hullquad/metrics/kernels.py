@@ -115,9 +115,12 @@ def rows_of(program: Program) -> Floats:
 
     They begin where a cache line does: vectors across two lines take twice the time.
     """
-    room = np.zeros(program.length + _LINE)
+    room = np.empty(program.length + _LINE)
     first = -(room.ctypes.data // room.itemsize) % _LINE
     rows = room[first : first + program.length]
+    for k in range(len(program.inputs)):
+        row = max(program.inputs[k], 0)
+        rows[row : min(row + 3 * LANES, program.length)] = 0.0  # lanes without an element work on these
     for k in range(len(program.constants)):
         row = program.constant_rows[k]
         rows[row : row + LANES] = program.constants[k]

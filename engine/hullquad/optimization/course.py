@@ -9,8 +9,8 @@ from hullquad.arrays import Floats, floats
 from hullquad.mesh import Mesh
 from hullquad.optimization import descent
 from hullquad.optimization.energy import Elements, Energy, energy_at
+from hullquad.optimization.footing import footing
 from hullquad.optimization.problem import Problem
-from hullquad.optimization.rollback import ROUNDS, hold_back
 
 _CHECK = 25
 """Iterations after which it is looked whether the mesh is the best so far, however often somebody looks at it."""
@@ -34,9 +34,9 @@ class Course:
         self.number = 0
         self.is_at_check = False
         """Whether it is time to see if the mesh is the best so far: the same iterations whatever the stride."""
-        self._tangents, self.elements = _directions(given, given.points)
+        self._ways, self.elements = _ways(given)
         self._run = descent.descent(given.points, given.movable, len(given.quads) + len(given.triangles))
-        self._iterations, self._stride = iterations, stride
+        self._iterations, self.stride = iterations, stride
         self._deadline = monotonic() + seconds
 
     def weigh(self, weights: Floats) -> None:
@@ -67,16 +67,10 @@ class Course:
         """An energy where the nodes are now."""
         return self.look(energy)[0]
 
-    def _openness(self, energy: Energy, points: Floats) -> Floats:
-        """(Q + T,) of the elements with nodes at `points`."""
-        openness = np.empty(len(self._run.openness))
-        energy_at(points, self.elements, energy, openness, openness, np.empty_like(points))
-        return openness
-
     def look(self, energy: Energy) -> tuple[float, Floats]:
         """An energy where the nodes are now, and the openness (Q + T,) of the elements."""
         openness = np.empty(len(self._run.openness))
-        value, _ = energy_at(self.points, self.elements, energy, openness, openness, np.empty_like(self.points))
+        value, _ = energy_at(self.points, self.elements, energy, openness, openness, self._run.node_gradient)
         return value, openness
 
     def stage(self, energy: Energy, most: int, gain: float) -> Iterator[int]:
@@ -85,49 +79,26 @@ class Course:
         Ends after `most` iterations, when one gains less than `gain`, or when the course is complete.
         """
         left, made = most, 0
-        before = descent.begin(self._run, self._tangents, self.elements, energy)
+        descent.begin(self._run)
         status = descent.GOING_ON
         while left > 0 and status == descent.GOING_ON and not self.is_complete:
-            count = min(self._stride, left, self._iterations - self.number, _CHECK - (most - left) % _CHECK)
-            place = self.points.copy() if self.problem.surface is not None else None
-            status = descent.iterate(self._run, self._tangents, self.elements, energy, count, gain)
+            count = min(self.stride, left, self._iterations - self.number, _CHECK - (most - left) % _CHECK)
+            status = descent.iterate(self._run, self._ways, self.elements, energy, count, gain)
             done = int(self._run.counts[1]) - made
             made, left, self.number = made + done, left - done, self.number + done
-            if done and place is not None:
-                value, made = self._brought_back(energy, place), 0
-                status = descent.CONVERGED if before - value < gain * done else status
-                before = value
             is_over = left == 0 or status != descent.GOING_ON or self.is_complete
             self.is_at_check = is_over or (most - left) % _CHECK == 0
             if done:
                 yield self.number
 
-    def _brought_back(self, energy: Energy, place: Floats) -> float:
-        """Bring the nodes back onto the surface and begin anew from there; the energy then.
 
-        Nodes of elements that would be folded by it go back to their `place` on the surface before.
-        """
-        surface, movable, run = self.problem.surface, self.problem.movable, self._run
-        assert surface is not None  # nodes cannot leave a plane
-        run.trial[:] = place
-        run.trial[:movable] = surface.feet(self.points[:movable])[0]
-        loose, was, now = energy._replace(guard=0.0), self._openness(energy, place), run.trial_openness
-        for _ in range(ROUNDS):
-            _, spoils = energy_at(run.trial, self.elements, loose, was, now, run.node_gradient)
-            if not spoils:
-                break
-            hold_back(place, run.trial, self.elements, was, now, loose, 0.0, run.shares)
-        run.points[:] = run.trial
-        weights = self.elements.quad_weights, self.elements.triangle_weights
-        self._tangents, self.elements = _directions(self.problem, self.points)
-        self.elements = self.elements._replace(quad_weights=weights[0], triangle_weights=weights[1])
-        return descent.begin(run, self._tangents, self.elements, energy)
-
-
-def _directions(given: Problem, points: Floats) -> tuple[Floats, Elements]:
+def _ways(given: Problem) -> tuple[descent.Ways, Elements]:
     """What nodes may move along, and the elements with what they must face."""
-    tangents, normals = given.directions(points)
-    quads = len(given.quads)
+    tangents, normals = given.directions()
+    quads, surface = len(given.quads), given.surface
     of_quads, of_triangles = (normals, normals) if len(normals) == 1 else (normals[:quads], normals[quads:])
     weights = floats(np.ones(quads)), floats(np.ones(len(given.triangles)))
-    return tangents, Elements(given.quads, given.triangles, of_quads, of_triangles, *weights)
+    standing = footing(surface, given.nodes, given.movable)
+    return descent.Ways(tangents, surface, standing), Elements(
+        given.quads, given.triangles, of_quads, of_triangles, *weights
+    )

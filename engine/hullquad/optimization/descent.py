@@ -11,7 +11,9 @@ import numpy as np
 
 from hullquad.arrays import Floats, Longs
 from hullquad.metrics.compiled import compiled, woven
-from hullquad.optimization.energy import Elements, Energy, energy_at
+from hullquad.optimization.energy import Elements, Energy, Rows, rows_of, total_at
+from hullquad.optimization.facets import Facets
+from hullquad.optimization.footing import Footing, bring_back, face, turn
 from hullquad.optimization.rollback import HALVINGS, ROUNDS, hold_back
 
 PAIRS = 7
@@ -26,6 +28,15 @@ _FIRST = 0.05
 """Scale of the first step: nothing is known of the energy yet."""
 
 GOING_ON, CONVERGED, STUCK = 0, 1, 2
+
+
+class Ways(NamedTuple):
+    """What nodes may move along, and the surface that they stay on."""
+
+    tangents: Floats
+    """(M, 2, 3) unit vectors, or zero; turned with the surface."""
+    surface: Facets
+    footing: Footing
 
 
 class Descent(NamedTuple):
@@ -80,26 +91,25 @@ def descent(points: Floats, movable: int, elements: int) -> Descent:
     )
 
 
-def begin(run: Descent, tangents: Floats, elements: Elements, energy: Energy) -> float:
-    """Begin with another energy where the nodes are now; gives it."""
+def begin(run: Descent) -> None:
+    """Forget what was learnt: the next iterations begin anew where the nodes are, perhaps with another energy."""
     run.counts[:] = 0
     run.values[:] = np.inf
-    run.trial[:] = run.points
-    value, _ = energy_at(run.points, elements, energy, run.openness, run.openness, run.node_gradient)
-    movable = run.node_gradient[: len(tangents)]
-    run.gradient[:] = np.einsum("ma,mwa->mw", movable, tangents).ravel()
-    run.values[0] = value
-    return value
+    run.values[0] = np.nan
 
 
 @compiled
-def iterate(run: Descent, tangents: Floats, elements: Elements, energy: Energy, iterations: int, gain: float) -> int:
+def iterate(run: Descent, ways: Ways, elements: Elements, energy: Energy, iterations: int, gain: float) -> int:
     """Up to so many iterations, until the energy has fallen by less than `gain` an iteration.
 
     Returns GOING_ON, CONVERGED (the gain is small) or STUCK (no step makes it smaller).
     """
+    rows = rows_of(energy)
+    if np.isnan(run.values[0]):
+        run.trial[:] = run.points
+        run.values[0] = _look(run, ways, elements, energy, rows, run.gradient)
     for _ in range(iterations):
-        if not _step(run, tangents, elements, energy):
+        if not _step(run, ways, elements, energy, rows):
             return STUCK
         run.counts[1] += 1
         if run.counts[1] >= LOOK_BACK:
@@ -111,12 +121,12 @@ def iterate(run: Descent, tangents: Floats, elements: Elements, energy: Energy, 
 
 
 @woven
-def _step(run: Descent, tangents: Floats, elements: Elements, energy: Energy) -> bool:
+def _step(run: Descent, ways: Ways, elements: Elements, energy: Energy, rows: Rows) -> bool:
     """One iteration; from the steepest descent again where the remembered steps lead nowhere."""
     while True:
         slope, longest = _aim(run, energy.size)
-        if slope < 0.0 and _search(run, tangents, elements, energy, slope, longest):
-            _remember(run, tangents, energy.size)
+        if slope < 0.0 and _search(run, ways, elements, energy, rows, slope, longest):
+            _remember(run, ways, elements, energy, rows)
             return True
         if run.counts[0] == 0:
             return False
@@ -149,13 +159,15 @@ def _aim(run: Descent, size: float) -> tuple[float, float]:
 
 
 @woven
-def _search(run: Descent, tangents: Floats, elements: Elements, energy: Energy, slope: float, longest: float) -> bool:
+def _search(
+    run: Descent, ways: Ways, elements: Elements, energy: Energy, rows: Rows, slope: float, longest: float
+) -> bool:
     """Whether a step along the direction makes the energy smaller; leaves it in `trial` and `trial_gradient`."""
     before = run.values[run.counts[1] % (LOOK_BACK + 1)]
     most = _FARTHEST * energy.size / max(longest, 1e-300)
     low, high, length, is_last = 0.0, np.inf, min(1.0, most), False
     for search in range(_SEARCHES):
-        value, is_whole, along = _try(run, tangents, elements, energy, length, slope)
+        value, is_whole, along = _try(run, ways, elements, energy, rows, length, slope)
         is_lower = along < 0.0 and value <= before + _DECREASE * along
         is_steep = is_whole and _product(run.trial_gradient, run.direction) < _CURVATURE * slope
         if is_last or (is_lower and not (is_steep and length < 0.99 * most)):
@@ -174,20 +186,23 @@ def _search(run: Descent, tangents: Floats, elements: Elements, energy: Energy, 
 
 @woven
 def _try(
-    run: Descent, tangents: Floats, elements: Elements, energy: Energy, length: float, slope: float
+    run: Descent, ways: Ways, elements: Elements, energy: Energy, rows: Rows, length: float, slope: float
 ) -> tuple[float, bool, float]:
     """Energy a step away, whether all nodes made the whole step, and the slope times the step that was made."""
-    _move(run.points, tangents, run.direction, length, run.trial)
-    value, is_whole = _settle(run, elements, energy)
-    _reduce(run.node_gradient, tangents, run.trial_gradient)
-    return value, is_whole, slope * length if is_whole else _slope_made(run, tangents)
+    _move(run.points, ways.tangents, run.direction, length, run.trial)
+    value, is_whole = _settle(run, ways, elements, energy, rows)
+    _reduce(run.node_gradient, ways.tangents, run.trial_gradient)
+    return value, is_whole, slope * length if is_whole else _slope_made(run, ways.tangents)
 
 
 @woven
-def _settle(run: Descent, elements: Elements, energy: Energy) -> tuple[float, bool]:
+def _settle(run: Descent, ways: Ways, elements: Elements, energy: Energy, rows: Rows) -> tuple[float, bool]:
     """Energy of the trial, once no element is spoilt by it, and whether nothing had to be held back for that."""
     for round_ in range(ROUNDS):
-        value, spoils = energy_at(run.trial, elements, energy, run.openness, run.trial_openness, run.node_gradient)
+        bring_back(ways.surface, ways.footing, run.trial)
+        value, spoils = total_at(
+            run.trial, elements, energy, rows, run.openness, run.trial_openness, run.node_gradient
+        )  # fmt: skip
         if not spoils:
             return value, round_ == 0
         share = 0.5 if round_ < HALVINGS else 0.0
@@ -198,27 +213,41 @@ def _settle(run: Descent, elements: Elements, energy: Energy) -> tuple[float, bo
 
 
 @woven
-def _remember(run: Descent, tangents: Floats, size: float) -> None:
+def _remember(run: Descent, ways: Ways, elements: Elements, energy: Energy, rows: Rows) -> None:
     """Make the trial the present iterate and keep the step with its change of gradient."""
     row = run.counts[2] % PAIRS
     step, change = run.unknown_steps[row], run.changes[row]
-    for node in range(len(tangents)):
+    for node in range(len(ways.tangents)):
         for way in range(2):
             made = 0.0
             for axis in range(3):
-                made += (run.trial[node, axis] - run.points[node, axis]) * tangents[node, way, axis]
+                made += (run.trial[node, axis] - run.points[node, axis]) * ways.tangents[node, way, axis]
             step[2 * node + way] = made
         for axis in range(3):
             run.points[node, axis] = run.trial[node, axis]
     run.openness[:] = run.trial_openness
+    if len(ways.footing.at) > 0:
+        turn(ways.footing, ways.tangents)
+        face(elements.quads, ways.footing.normals, elements.quad_normals)
+        face(elements.triangles, ways.footing.normals, elements.triangle_normals)
+        value = _look(run, ways, elements, energy, rows, run.trial_gradient)
+        run.values[(run.counts[1] + 1) % (LOOK_BACK + 1)] = value
     for i in range(len(change)):
         change[i] = run.trial_gradient[i] - run.gradient[i]
         run.gradient[i] = run.trial_gradient[i]
     curvature, spread = _product(step, change), _product(change, change)
-    if curvature > 1e-16 * spread * size * size:
+    if curvature > 1e-16 * spread * energy.size * energy.size:
         run.curvatures[row] = 1.0 / curvature
         run.counts[2] += 1
         run.counts[0] = min(run.counts[0] + 1, PAIRS)
+
+
+@woven
+def _look(run: Descent, ways: Ways, elements: Elements, energy: Energy, rows: Rows, gradient: Floats) -> float:
+    """The energy where the nodes are, and its gradient."""
+    value, _ = total_at(run.points, elements, energy, rows, run.openness, run.openness, run.node_gradient)
+    _reduce(run.node_gradient, ways.tangents, gradient)
+    return value
 
 
 @compiled

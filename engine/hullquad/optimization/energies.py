@@ -4,7 +4,7 @@ from functools import lru_cache, reduce
 from math import inf, sqrt
 from operator import add
 
-from hullquad.arrays import Floats, floats
+from hullquad.arrays import Floats
 from hullquad.metrics import Metric, formulas
 from hullquad.metrics.element import Element
 from hullquad.metrics.expression import Node, Number, choice, dot, lesser, number, root
@@ -12,7 +12,7 @@ from hullquad.metrics.program import Program, program
 from hullquad.metrics.slopes import slopes
 from hullquad.metrics.table_1 import scaled_jacobians
 from hullquad.optimization.demand import Demand
-from hullquad.optimization.energy import Energy, rows_for
+from hullquad.optimization.energy import Energy
 from hullquad.optimization.objective import Objective
 
 LEAST_GUARD = 0.05
@@ -31,6 +31,9 @@ _ASIDE = 0.05
 """What the objective counts beside the demands."""
 _KEPT = 64
 
+_Pair = tuple[Program, Program]
+"""For quads, and for triangles."""
+
 
 def winslow(size: float, epsilon: float) -> Energy:
     """Winslow's energy with a regularised determinant: finite on folded elements, it pulls them open.
@@ -40,8 +43,7 @@ def winslow(size: float, epsilon: float) -> Energy:
     for its map from the equilateral one. Lengths are in units of the element size. Source: V. Garanzha et al.,
     "Foldover-free maps in 50 lines of code", ACM Trans. Graphics 40:102 (2021), Eqs. (3) to (5).
     """
-    quads, triangles = _winslow_programs(size)
-    return _energy(quads, triangles, floats([epsilon, epsilon]), size, -inf)
+    return _energy(_winslow_programs(size), _NOTHING, -inf, (epsilon, epsilon), size, guard=-inf)
 
 
 def merit(objective: Objective, size: float, areas: Floats, doublings: int | None, floor: float | None) -> Energy:
@@ -51,31 +53,43 @@ def merit(objective: Objective, size: float, areas: Floats, doublings: int | Non
     corner of scaled Jacobian t costs ``t0 / t + t / t0 - 2``; triangles cost nothing else. Without a floor the
     stand-in has a low and weak one: an element on the brink of folding would hold its neighbours up.
     """
-    quads, triangles = _merit_programs(objective, doublings, floor)
-    return _energy(quads, triangles, areas, size, max(floor or 0.0, LEAST_GUARD))
+    level, weight = _level(floor, None if doublings is None else _BRINK[1] * 0.5 ** (doublings / 2))
+    programs, guard = _merit_programs(objective, doublings), max(floor or 0.0, LEAST_GUARD)
+    return _energy(programs, _low_programs(level, weight), level, _both(areas), size, guard)
+
+
+def held_at(
+    objective: Objective, size: float, areas: Floats, doublings: int | None, worst: float, floor: float | None
+) -> Energy:
+    """What an objective loses, while no element gets worse than `worst` by its metric.
+
+    With a `floor` that is for quads alone, and triangles are only held above the floor.
+    """
+    programs = _held_programs(objective, doublings, worst / objective.metric.factor, is_of_all=floor is None)
+    level, weight = _BRINK if floor is None else (floor, _FLOOR_WEIGHT)
+    return _energy(programs, _low_programs(level, weight), level, _both(areas), size, guard=0.0, kept=1.0)
 
 
 def _energy(
-    quads: Program, triangles: Program, parameters: Floats, size: float, guard: float, kept: float = 0.4
-) -> Energy:
-    of_quads, of_triangles = parameters.tolist()
-    return Energy(quads, triangles, rows_for(quads, of_quads), rows_for(triangles, of_triangles), size, guard, kept)
+    programs: _Pair, low: _Pair, level: float, parameters: tuple[float, float], size: float, guard: float,
+    kept: float = 0.4,
+) -> Energy:  # fmt: skip
+    return Energy(*programs, *low, level, parameters, size, guard, kept)
 
 
-def held_at(objective: Objective, size: float, areas: Floats, doublings: int | None, worst: float) -> Energy:
-    """What an objective loses, while no element gets worse than `worst` by its metric."""
-    quads, triangles = _held_programs(objective, doublings, worst / objective.metric.factor)
-    return _energy(quads, triangles, areas, size, guard=0.0, kept=1.0)
+def _both(areas: Floats) -> tuple[float, float]:
+    of_quads, of_triangles = areas.tolist()
+    return of_quads, of_triangles
 
 
 @lru_cache(_KEPT)
-def _held_programs(objective: Objective, doublings: int | None, worst: float) -> tuple[Program, Program]:
+def _held_programs(objective: Objective, doublings: int | None, worst: float, *, is_of_all: bool) -> _Pair:
     quad, triangle = Element(4, doublings), Element(3, doublings)
     metric = objective.metric
-    of_triangle = _room(triangle, metric, worst) if metric.holds_triangles else None
+    of_triangle = _room(triangle, metric, worst) if metric.holds_triangles and is_of_all else None
     return (
-        _program(quad, _loss(objective, quad) + _below(quad, *_BRINK), _room(quad, metric, worst)),
-        _program(triangle, _below(triangle, *_BRINK), of_triangle),
+        _program(quad, _loss(objective, quad), _room(quad, metric, worst)),
+        _program(triangle, None, of_triangle),
     )
 
 
@@ -96,22 +110,19 @@ def chasing(
     An element v beyond a limit, in units of the way from there to the ideal, costs ``v^2 / (v^2 + softness^2)`` times
     its weight: the smaller the softness, the nearer to a count.
     """
-    quads, triangles = _chasing_programs(demands, objective, softness, floor)
-    return _energy(quads, triangles, areas, size, max(floor or 0.0, LEAST_GUARD))
+    level, weight = _level(floor, _BRINK[1])
+    programs, guard = _chasing_programs(demands, objective, softness), max(floor or 0.0, LEAST_GUARD)
+    return _energy(programs, _low_programs(level, weight), level, _both(areas), size, guard)
 
 
 @lru_cache(_KEPT)
-def _chasing_programs(
-    demands: tuple[Demand, ...], objective: Objective, softness: float, floor: float | None
-) -> tuple[Program, Program]:
+def _chasing_programs(demands: tuple[Demand, ...], objective: Objective, softness: float) -> _Pair:
     quad, triangle = Element(4, _CHASED), Element(3, _CHASED)
-    level, weight = (floor, _FLOOR_WEIGHT) if floor is not None else _BRINK
     of_quads = [_cost(quad, demand, softness) for demand in demands if demand.is_of_quads]
     of_triangles = [_cost(triangle, demand, softness) for demand in demands if demand.is_of_triangles]
-    loss = _ASIDE * _loss(objective, quad) + _below(quad, level, weight)
     return (
-        _program(quad, reduce(add, of_quads, loss)),
-        _program(triangle, reduce(add, of_triangles, _below(triangle, level, weight))),
+        _program(quad, reduce(add, of_quads, _ASIDE * _loss(objective, quad))),
+        _program(triangle, reduce(add, of_triangles) if of_triangles else None),
     )
 
 
@@ -122,17 +133,21 @@ def _cost(element: Element, demand: Demand, softness: float) -> Number:
     return choice(beyond, demand.weight * element.weight * (square / (square + softness**2)), 0.0)
 
 
-def worst_first(metric: Metric, size: float, areas: Floats, doublings: int, power: int, worst: float) -> Energy:
+def worst_first(
+    metric: Metric, size: float, areas: Floats, doublings: int, power: int, worst: float, floor: float | None
+) -> Energy:
     """Sum over all elements of their distance from the ideal, over that of `worst`, to the power 2^power.
 
-    The greater the power, the more it is the worst element alone that counts: its limit is max-min.
+    The greater the power, the more it is the worst element alone that counts: its limit is max-min. With a `floor`
+    the sum is over the quads alone, and triangles are only held above the floor.
     """
-    quads, triangles = _worst_programs(metric, doublings, power, worst / metric.factor)
-    return _energy(quads, triangles, areas, size, LEAST_GUARD)
+    programs = _worst_programs(metric, doublings, power, worst / metric.factor, is_of_all=floor is None)
+    level, weight = _BRINK if floor is None else (floor, _FLOOR_WEIGHT)
+    return _energy(programs, _low_programs(level, weight), level, _both(areas), size, max(floor or 0.0, LEAST_GUARD))
 
 
 @lru_cache(_KEPT)
-def _worst_programs(metric: Metric, doublings: int, power: int, worst: float) -> tuple[Program, Program]:
+def _worst_programs(metric: Metric, doublings: int, power: int, worst: float, *, is_of_all: bool) -> _Pair:
     ideal = metric.quads.ideal / metric.factor
     quad, triangle = Element(4, doublings), Element(3, doublings)
 
@@ -140,26 +155,39 @@ def _worst_programs(metric: Metric, doublings: int, power: int, worst: float) ->
         distance = (1.0 / (worst - ideal)) * (formulas.value(metric, element) - ideal)
         for _ in range(power):
             distance = distance * distance
-        return distance + _below(element, *_BRINK)
+        return distance
 
-    of_triangle = loss(triangle) if metric.holds_triangles else _below(triangle, *_BRINK)
-    return _program(quad, loss(quad)), _program(triangle, of_triangle)
-
-
-@lru_cache(_KEPT)
-def _winslow_programs(size: float) -> tuple[Program, Program]:
-    return tuple(_program(element, _winslow(element, size)) for element in (Element(4), Element(3)))  # type: ignore[return-value]  # two
-
-
-@lru_cache(_KEPT)
-def _merit_programs(objective: Objective, doublings: int | None, floor: float | None) -> tuple[Program, Program]:
-    quad, triangle = Element(4, doublings), Element(3, doublings)
-    level, weight = floor, _FLOOR_WEIGHT
-    if floor is None and doublings is not None:
-        level, weight = _BRINK[0], _BRINK[1] * 0.5 ** (doublings / 2)
-    return _program(quad, _loss(objective, quad) + _below(quad, level, weight)), _program(
-        triangle, _below(triangle, level, weight)
+    return _program(quad, loss(quad)), _program(
+        triangle, loss(triangle) if metric.holds_triangles and is_of_all else None
     )
+
+
+@lru_cache(_KEPT)
+def _winslow_programs(size: float) -> _Pair:
+    quad, triangle = Element(4), Element(3)
+    return _program(quad, _winslow(quad, size)), _program(triangle, _winslow(triangle, size))
+
+
+@lru_cache(_KEPT)
+def _merit_programs(objective: Objective, doublings: int | None) -> _Pair:
+    quad = Element(4, doublings)
+    return _program(quad, _loss(objective, quad)), _program(Element(3), None)
+
+
+def _level(floor: float | None, brink: float | None) -> tuple[float, float]:
+    """Below what corners cost something, and its weight: the floor's; without one the brink's, if it counts."""
+    if floor is not None:
+        return floor, _FLOOR_WEIGHT
+    return (-inf, 0.0) if brink is None else (_BRINK[0], brink)
+
+
+@lru_cache(_KEPT)
+def _low_programs(level: float, weight: float) -> _Pair:
+    """What corners of quads and of triangles below a level cost."""
+    if weight == 0.0:
+        return _NOTHING
+    quad, triangle = Element(4), Element(3)
+    return _program(quad, _below(quad, level, weight)), _program(triangle, _below(triangle, level, weight))
 
 
 def _loss(objective: Objective, element: Element) -> Number:
@@ -168,12 +196,10 @@ def _loss(objective: Objective, element: Element) -> Number:
     return reduce(add, losses)
 
 
-def _below(element: Element, floor: float | None, weight: float) -> Number:
-    """What corners below the floor cost."""
-    if floor is None:
-        return number(0.0)
+def _below(element: Element, level: float, weight: float) -> Number:
+    """What corners below a level cost."""
     costs = [
-        choice(floor - corner, weight * (floor / corner + (1.0 / floor) * corner - 2.0), 0.0)
+        choice(level - corner, weight * (level / corner + (1.0 / level) * corner - 2.0), 0.0)
         for corner in scaled_jacobians(element)
     ]
     return reduce(add, costs)
@@ -200,11 +226,17 @@ def _chi(jacobian: Number, epsilon: Number) -> Number:
     return choice(jacobian, 0.5 * (jacobian + length), 0.5 * square / (length - jacobian))
 
 
-def _program(element: Element, value: Number, openness: Number | None = None) -> Program:
-    """Value, openness (least scaled Jacobian of the corners if nothing else) and slopes by the nodes."""
-    by_sides = slopes(value, element.sides)
-    by_nodes = [element.shrinking * (by_sides[node - 1] - by_sides[node]) for node in range(element.count)]
+def _program(element: Element, value: Number | None, openness: Number | None = None) -> Program:
+    """Value, openness (least scaled Jacobian of the corners if nothing else) and slopes by the nodes if it has any."""
     if openness is None:
         openness = reduce(lesser, scaled_jacobians(element))
     inputs: list[Node] = [*element.points, element.facing, element.reference, element.weight]
+    if value is None:
+        return program([number(0.0), openness], inputs)
+    by_sides = slopes(value, element.sides)
+    by_nodes = [element.shrinking * (by_sides[node - 1] - by_sides[node]) for node in range(element.count)]
     return program([value, openness, *by_nodes], inputs)
+
+
+_NOTHING = _program(Element(4), None), _program(Element(3), None)
+"""Programs of what costs nothing."""

@@ -10,8 +10,8 @@ from hullquad.optimization.iterate import Iterate
 from hullquad.optimization.looks import Rank, looks
 from hullquad.optimization.objective import Objective
 from hullquad.optimization.settings import SearchSettings
-from hullquad.optimization.stages import continued, course_of, evened, opened, raised, worst_value
-from hullquad.optimization.untangle import evenness, folded_count
+from hullquad.optimization.stages import continued, course_of, evened, floor_of_others, opened, raised, worst_value
+from hullquad.optimization.untangle import evenness, folded, folded_count
 
 
 def untangle_iterates(mesh: Mesh, objective: Objective, settings: SearchSettings | None = None) -> Iterator[Iterate]:
@@ -47,7 +47,8 @@ def default_iterates(mesh: Mesh, objective: Objective, settings: SearchSettings 
         yield from continued(course, objective, settings)
 
     def rank() -> Rank:
-        return -float(folded_count(course)), -course.value(exact)
+        value, openness = course.look(exact)
+        return -float(folded(openness)), -value
 
     yield from looks(mesh, objective, course, stages(), rank)
 
@@ -60,7 +61,7 @@ def worst_iterates(mesh: Mesh, objective: Objective, settings: SearchSettings | 
     """
     settings = settings or SearchSettings()
     course = course_of(mesh, settings)
-    exact = energies.merit(objective, mesh.target_size, mesh.areas, None, None)
+    exact = energies.merit(objective, mesh.target_size, mesh.areas, None, floor_of_others(settings))
     metric = objective.metric
 
     def stages() -> Iterator[str]:
@@ -69,7 +70,8 @@ def worst_iterates(mesh: Mesh, objective: Objective, settings: SearchSettings | 
         yield from raised(course, objective, settings)
 
     def rank() -> Rank:
-        worst = float(metric.badness(np.array(worst_value(course, metric))))
-        return -float(folded_count(course)), -worst, -course.value(exact)
+        worst = float(metric.badness(np.array(worst_value(course, metric, settings))))
+        value, openness = course.look(exact)
+        return -float(folded(openness)), -worst, -value
 
     yield from looks(mesh, objective, course, stages(), rank)

@@ -5,9 +5,10 @@ import numpy as np
 
 from hullquad.arrays import Bools, Floats, Ints, Longs, bools, floats, ints, longs
 from hullquad.mesh import Mesh
-from hullquad.optimization.facets import Facets, facets
-from hullquad.optimization.order import along_a_curve
-from hullquad.topology import NodeState, half_edges, paired_sides, reversed_elements
+from hullquad.optimization.facets import NO_FACETS, Facets, facets
+from hullquad.optimization.order import FEW, along_a_curve
+from hullquad.optimization.sliding import line_directions, on_lines
+from hullquad.topology import half_edges, paired_sides
 
 _UP = (0.0, 0.0, 1.0)
 _CREASE = np.cos(np.radians(30.0))
@@ -18,9 +19,9 @@ _CREASE = np.cos(np.radians(30.0))
 class Problem:
     """Nodes, the movable ones first, and the elements that contain one of these.
 
-    A mesh on a plane is seen in the plane's own coordinates. Without a surface it is seen in space: its nodes move
-    in the tangent planes of its own facets and are brought back onto them. What is far from every movable node is
-    left out: it can neither move nor change.
+    A mesh on a plane is seen in the plane's own coordinates; nodes on followed lines move along these. Without a
+    surface it is seen in space: its nodes move in the tangent planes of its own facets and are brought back onto
+    them, and those on lines stay. What is far from every movable node is left out: it can neither move nor change.
     """
 
     mesh: Mesh
@@ -40,8 +41,8 @@ class Problem:
     """(T,)"""
     turned: Bools = attrs.field(converter=bools)
     """(E,) elements of the mesh that run against their neighbours and are seen here the other way round."""
-    surface: Facets | None
-    """What nodes are brought back onto; None on a plane, which they cannot leave."""
+    surface: Facets
+    """What nodes are brought back onto; of a plane there are none."""
 
     @property
     def size(self) -> float:
@@ -51,41 +52,50 @@ class Problem:
     def mesh_at(self, points: Floats) -> Mesh:
         """The mesh with the movable nodes at `points`; every other node keeps its bits."""
         moved = self.nodes[: self.movable]
-        if self.surface is not None:
+        if self.mesh.parameters is None or self.mesh.surface is None:
             places = np.array(self.mesh.points)
             places[moved] = points[: self.movable]
             return attrs.evolve(self.mesh, points=places, reference_areas=self.mesh.areas)
         parameters = np.array(self.mesh.parameters)
         parameters[moved] = points[: self.movable, :2]
-        return self.mesh.with_parameters(parameters)
+        return self.mesh.with_parameters(on_lines(self.mesh, parameters))
 
-    def directions(self, points: Floats) -> tuple[Floats, Floats]:
-        """Unit vectors (movable, 2, 3) that nodes at `points` may move along, and (1 or Q + T, 3) element normals."""
-        if self.surface is None:
-            return floats(np.broadcast_to(np.eye(3)[:2], (self.movable, 2, 3))), floats([_UP])
-        _, normals = self.surface.feet(points)
+    def directions(self) -> tuple[Floats, Floats]:
+        """Unit vectors (movable, 2, 3) that nodes may move along at first, and (1 or Q + T, 3) element normals.
+
+        Where there is only one way to go the second vector is zero. Both arrays may be written to.
+        """
+        if len(self.surface.triangles) == 0:
+            ways = np.zeros((self.movable, 2, 3))
+            ways[:, 0, 0] = ways[:, 1, 1] = 1.0
+            slides = np.flatnonzero(self.mesh.topology.slides[self.nodes[: self.movable]])
+            ways[slides, 1] = 0.0
+            ways[slides, 0, :2] = line_directions(self.mesh)[self.mesh.topology.node_lines[self.nodes[slides]]]
+            return ways, np.array([_UP])
+        normals = self.surface.normals[self.nodes]
         corners = [normals[elements].sum(axis=1) for elements in (self.quads, self.triangles)]
-        return _tangents(normals[: self.movable]), floats(_units(np.concatenate(corners)))
+        return _tangents(normals[: self.movable]), _units(np.concatenate(corners))
 
 
 def problem(mesh: Mesh, chosen: Bools | None = None) -> Problem:
     """The problem of a mesh; of `chosen` nodes (N,) alone, if they are given."""
-    may_move = np.equal(mesh.topology.node_states, NodeState.FREE)
+    may_move, flat = mesh.topology.is_free, mesh.parameters if mesh.surface is not None else None
     if chosen is not None:
         may_move = may_move & chosen
-    flat = mesh.parameters if mesh.surface is not None else None
     if flat is None:
-        may_move = may_move & ~_on_creases(mesh)
-    turned = reversed_elements(mesh.topology.elements) if mesh.is_bare else np.zeros(len(mesh.topology.elements), bool)
-    elements = np.where(turned[:, None], _other_way_round(mesh.topology.elements), mesh.topology.elements)
-    all_elements, touched = elements, np.flatnonzero((may_move[elements] & (elements >= 0)).any(axis=1))
-    elements = elements[touched]
-    may_move = may_move & _are_used(elements, len(may_move))
+        may_move = may_move & ~_on_creases(mesh) & ~mesh.topology.slides
+    turned, elements = _facing_alike(mesh)
+    touched = np.flatnonzero(np.append(may_move, False)[elements].any(axis=1))
+    elements, all_elements = elements[touched], elements
+    is_used = np.zeros(len(may_move) + 1, dtype=bool)
+    is_used[elements] = True
+    is_used = is_used[:-1]  # the last one is that which triangles do not have
+    may_move = may_move & is_used
     points = mesh.points if flat is None else np.concatenate([flat, np.zeros((len(flat), 1))], axis=1)
-    nodes = _ordered(points, may_move, elements)
-    rows = np.full(len(points), -1, dtype=np.int32)
+    nodes = np.concatenate([_ordered(points, may_move), _ordered(points, is_used & ~may_move)])
+    rows = np.full(len(points) + 1, -1, dtype=np.int32)
     rows[nodes] = np.arange(len(nodes))
-    renumbered = np.where(elements < 0, -1, rows[elements])
+    renumbered = rows[elements]
     quads, triangles = _sorted(renumbered[:, 3] >= 0, renumbered), _sorted(renumbered[:, 3] < 0, renumbered)
     return Problem(
         mesh=mesh,
@@ -97,8 +107,15 @@ def problem(mesh: Mesh, chosen: Bools | None = None) -> Problem:
         quad_rows=touched[quads],
         triangle_rows=touched[triangles],
         turned=turned,
-        surface=facets(mesh.points, all_elements) if flat is None else None,
+        surface=facets(mesh.points, all_elements) if flat is None else NO_FACETS,
     )
+
+
+def _facing_alike(mesh: Mesh) -> tuple[Bools, Ints]:
+    """(E,) elements that run against their neighbours, and (E, 4) all of them, those the other way round."""
+    elements = mesh.topology.elements
+    turned = mesh.topology.is_reversed if mesh.is_bare else np.zeros(len(elements), dtype=bool)
+    return turned, np.where(turned[:, None], _other_way_round(elements), elements) if turned.any() else elements
 
 
 def _on_creases(mesh: Mesh) -> Bools:
@@ -121,31 +138,27 @@ def _other_way_round(elements: Ints) -> Ints:
     return np.where(elements[:, 3:] < 0, elements[:, [0, 2, 1, 3]], quads)
 
 
-def _ordered(points: Floats, may_move: Bools, elements: Ints) -> Longs:
-    """Nodes of the elements: the movable ones along a curve that keeps neighbours together, then the others."""
-    movable, held = np.flatnonzero(may_move), np.flatnonzero(_are_used(elements, len(points)) & ~may_move)
-    return np.concatenate([movable[along_a_curve(points[movable])], held[along_a_curve(points[held])]])
-
-
-def _are_used(elements: Ints, nodes: int) -> Bools:
-    """(N,) which nodes an element has."""
-    is_used = np.zeros(nodes, dtype=bool)
-    is_used[elements[elements >= 0]] = True
-    return is_used
+def _ordered(points: Floats, chosen: Bools) -> Longs:
+    """Rows of the chosen nodes along a curve that keeps neighbours together."""
+    rows = np.flatnonzero(chosen)
+    return rows[along_a_curve(points[rows])]
 
 
 def _sorted(chosen: Bools, elements: Ints) -> Longs:
     """Rows of the chosen elements in the order of their first node: what is near in space is near in memory."""
     rows = np.flatnonzero(chosen)
-    first = np.where(elements[rows] < 0, np.iinfo(np.int32).max, elements[rows]).min(axis=1, initial=2**31 - 1)
-    return longs(rows[np.argsort(first, kind="stable")])
+    if len(rows) <= FEW:
+        return rows
+    nodes = elements[rows]
+    first = nodes[:, :3].min(axis=1, initial=len(chosen) * 4)
+    return longs(rows[np.argsort(np.where(nodes[:, 3] >= 0, np.minimum(first, nodes[:, 3]), first), kind="stable")])
 
 
 def _tangents(normals: Floats) -> Floats:
     """(M, 2, 3) two unit vectors across each normal and each other; zero where there is no normal."""
     across = np.eye(3)[np.abs(normals).argmin(axis=1)]
     first = _units(np.cross(normals, across))
-    return floats(np.stack([first, np.cross(normals, first)], axis=1))
+    return np.stack([first, np.cross(normals, first)], axis=1)
 
 
 def _units(vectors: Floats) -> Floats:

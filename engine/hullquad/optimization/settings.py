@@ -38,7 +38,7 @@ class Schedule:
     """What an iteration must gain for each quad, on the average of the last five."""
 
 
-QUICK = Schedule((2, 4, 6, 8), 60, 1e-5)
+QUICK = Schedule((2, 5, 8, 10), 60, 1e-5)
 FINE = Schedule(tuple(range(11)), 200, 1e-7)
 
 
@@ -55,5 +55,7 @@ class SearchSettings:
     """Most time."""
     stride: int = 1
     """Iterations from one iterate to the next: 1 to watch each, many to be quick. The way is the same."""
+    is_for_quads: bool = False
+    """Whether the worst quad is what counts, where triangles would; the floor holds these then."""
     chosen: Bools | None = None
     """(N,) nodes that may move, if not all free ones may."""

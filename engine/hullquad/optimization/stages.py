@@ -2,6 +2,8 @@
 
 from collections.abc import Iterator
 
+import numpy as np
+
 from hullquad.mesh import Mesh
 from hullquad.metrics import Metric
 from hullquad.optimization import energies
@@ -55,17 +57,18 @@ def continued(course: Course, objective: Objective, settings: SearchSettings) ->
 def raised(course: Course, objective: Objective, settings: SearchSettings) -> Iterator[str]:
     """Raise the worst element, then the objective without letting it fall again."""
     mesh, metric = course.problem.mesh, objective.metric
+    floor = floor_of_others(settings)
     for power in _POWERS:
-        worst = worst_value(course, metric)
+        worst = worst_value(course, metric, settings)
         if worst == metric.quads.ideal or course.is_complete:
             break
         doublings = min(power + _SHARPER, _MOST_DOUBLINGS)
-        energy = energies.worst_first(metric, mesh.target_size, mesh.areas, doublings, power, worst)
+        energy = energies.worst_first(metric, mesh.target_size, mesh.areas, doublings, power, worst, floor)
         for _ in course.stage(energy, _RAISING, _RAISING_GAIN):
             yield "worst first"
-    worst, schedule = worst_value(course, metric), settings.schedule
+    worst, schedule = worst_value(course, metric, settings), settings.schedule
     for doublings in schedule.doublings if worst != metric.quads.ideal else ():
-        energy = energies.held_at(objective, mesh.target_size, mesh.areas, doublings, worst)
+        energy = energies.held_at(objective, mesh.target_size, mesh.areas, doublings, worst, floor)
         for _ in course.stage(energy, schedule.most, schedule.gain * len(course.problem.quads)):
             yield f"then the sum, p = {2**doublings}"
 
@@ -79,6 +82,14 @@ def mended(course: Course, asked: tuple[Demand, ...], objective: Objective, sett
             yield "fewest violations"
 
 
-def worst_value(course: Course, metric: Metric) -> float:
-    """Value of the worst element that can change [the metric's unit]."""
-    return quality(course.mesh(), metric).worst
+def worst_value(course: Course, metric: Metric, settings: SearchSettings) -> float:
+    """Value of the worst element, or of the worst quad, if that is what counts [the metric's unit]."""
+    judged = quality(course.mesh(), metric)
+    if settings.is_for_quads and not judged.is_triangle.all():
+        return float(judged.values[np.where(judged.is_triangle, -np.inf, judged.badness).argmax()])
+    return judged.worst
+
+
+def floor_of_others(settings: SearchSettings) -> float | None:
+    """The floor of what is not to be raised; None where everything is."""
+    return max(settings.floor or 0.0, energies.LEAST_GUARD) if settings.is_for_quads else None

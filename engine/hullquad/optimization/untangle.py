@@ -23,7 +23,7 @@ def untangling(course: Course) -> Iterator[int]:
     with the energy, and with the least Jacobian as that becomes positive.
     """
     size, count = course.problem.size, folded_count(course)
-    epsilon = max(1.0, -_least_jacobian(course))
+    epsilon = max(1.0, -_least_jacobian(course)) if count else 0.0
     for _ in range(_OUTER):
         if not count or course.is_complete:
             return
@@ -36,8 +36,10 @@ def untangling(course: Course) -> Iterator[int]:
 
 def relaxing(course: Course, most: int) -> Iterator[int]:
     """A stage that evens out an open mesh: the start of everything that follows; a folded one is left alone."""
-    if not folded_count(course):
-        yield from course.stage(winslow(course.problem.size, _SMALLEST), most, _GAIN * evenness(course))
+    energy = winslow(course.problem.size, _SMALLEST)
+    value, openness = course.look(energy)
+    if not folded(openness):
+        yield from course.stage(energy, most, _GAIN * value)
 
 
 def evenness(course: Course) -> float:
@@ -47,7 +49,11 @@ def evenness(course: Course) -> float:
 
 def folded_count(course: Course) -> int:
     """Number of elements that are not open."""
-    _, openness = course.look(winslow(course.problem.size, 1.0))
+    return folded(course.look(winslow(course.problem.size, 1.0))[1])
+
+
+def folded(openness: Floats) -> int:
+    """Number of elements that are not open."""
     return int(np.count_nonzero(~(openness > 0)))
 
 
