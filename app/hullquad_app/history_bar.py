@@ -1,12 +1,11 @@
 """The slider over the whole width by which every iterate can be shown again."""
 
-from collections.abc import Sequence
+from collections.abc import Set
 
 from PySide6.QtCore import QEvent, QPointF, QRect, QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QColor, QMouseEvent, QPainter, QPaintEvent, QPolygonF
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QSlider, QStyle, QStyleOptionSlider, QWidget
 
-from hullquad.optimization.iterate import Iterate
 from hullquad_app.colours import COLOUR_MAPS, LIGHT, ColourMap, Palette
 from hullquad_app.panels.figures import sized
 from hullquad_app.panels.ground import coloured
@@ -87,6 +86,7 @@ class HistoryBar(QWidget):
             label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
             label.setFont(sized(self.font()))
         line = QHBoxLayout(self)
+        line.setContentsMargins(self.fontMetrics().averageCharWidth(), 0, self.fontMetrics().averageCharWidth(), 0)
         for widget, stretch in ((self.title, 0), (self.slider, 1), (self.stage, 0), (self.place, 0)):
             line.addWidget(widget, stretch=stretch)
         self._show()
@@ -115,26 +115,28 @@ class HistoryBar(QWidget):
 
     def _show(self) -> None:
         track, position, stage = self._scene.track, self._scene.position, self._scene.stage
-        iterates, making = ((), ()) if track is None else (track.iterates, track.making)
+        iterates, making = ((), 0) if track is None else (track.iterates, len(track.making))
         numbers = (0, 0) if track is None else (iterates[position].number, track.last.number)
         best = max((row for row, iterate in enumerate(iterates) if iterate.is_best), default=None)
         with QSignalBlocker(self.slider):
-            self.slider.setEnabled(len(iterates) + len(making) > 1)
-            self.slider.setRange(-len(making), max(len(iterates) - 1, 0))
+            self.slider.setEnabled(len(iterates) + making > 1)
+            self.slider.setRange(-making, max(len(iterates) - 1, 0))
             self.slider.setPageStep(max(len(iterates) // 10, 1))
             if not self.slider.isSliderDown():
-                self.slider.setValue(position if stage is None else stage - len(making))
+                self.slider.setValue(position if stage is None else stage - making)
         self.slider.mark(best, QColor(self._palette.accent))
-        self._show_stage((*making, *iterates))
+        self._show_stage({iterate.stage for iterate in iterates} | (track.making.steps if track else set()))
         self.place.setText(self._words(*map(str, numbers)) if iterates else "")
+        of_making = self.tr("making {number} of {last}")
         if stage is not None:
-            self.place.setText(self.tr("making {number} of {last}").format(number=stage + 1, last=len(making)))
-        digits = "0" * max(len(str(numbers[1])), _LEAST_DIGITS)
-        self.place.setFixedWidth(self.place.fontMetrics().horizontalAdvance(self._words(digits, digits)) + 2)
+            self.place.setText(of_making.format(number=stage + 1, last=making))
+        digits = "0" * max(len(str(numbers[1])), len(str(making)), _LEAST_DIGITS)
+        texts = self._words(digits, digits), of_making.format(number=digits, last=digits)
+        self.place.setFixedWidth(max(map(self.place.fontMetrics().horizontalAdvance, texts)) + 2)
 
-    def _show_stage(self, iterates: Sequence[Iterate]) -> None:
+    def _show_stage(self, stages: Set[str]) -> None:
         """Name the stage of the shown iterate, in a place that is wide enough for all of them."""
-        words = {stage: stage_words(stage) for stage in {iterate.stage for iterate in iterates}}
+        words = {stage: stage_words(stage) for stage in stages}
         self.stage.setText("" if self._scene.iterate is None else words[self._scene.iterate.stage])
         self.stage.setVisible(any(words.values()))
         advances = [self.stage.fontMetrics().horizontalAdvance(text) for text in words.values()]

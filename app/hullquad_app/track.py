@@ -7,6 +7,7 @@ import attrs
 
 from hullquad.optimization.iterate import Iterate
 from hullquad.optimization.objective import Objective
+from hullquad_app.making import Making
 from hullquad_app.passage import Passage
 
 BUDGET = 512 * 2**20
@@ -23,8 +24,8 @@ class Track:
     iterates: tuple[Iterate, ...]
     passages: tuple[Passage, ...] = ()
     """The runs that they came of, as far as that is known."""
-    making: tuple[Iterate, ...] = ()
-    """What the first one was made from, step by step: triangles, quads and what was done to them; numbers below 0."""
+    making: Making = attrs.field(factory=Making)
+    """What the first one was made from, step by step: triangles, quads and what was done to them."""
 
     @property
     def first(self) -> Iterate:

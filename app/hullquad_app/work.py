@@ -16,15 +16,15 @@ from hullquad import worker
 from hullquad.errors import HullquadError, MeshingError, PlateError
 from hullquad.mesh import Mesh
 from hullquad.metrics import Metric
-from hullquad.optimization.iterate import Iterate
 from hullquad.plate import Document
 from hullquad.quality import quality
 from hullquad_app.dividing import redivided
 from hullquad_app.division import Attempt, Size, division
+from hullquad_app.making import Making
 from hullquad_app.mesh_words import stage_progress
 from hullquad_app.mesher import PAPER, Mesher
 from hullquad_app.scene import State
-from hullquad_app.track import BUDGET, Track, thinned
+from hullquad_app.track import Track
 
 if TYPE_CHECKING:
     from hullquad.pipeline import MeshStage
@@ -122,10 +122,9 @@ def meshed(
     refused: dict[str, HullquadError] = {}
     for i, key in enumerate(keys):
         so_far = (i, len(keys)) if len(keys) > 1 else (0, 0)
-        yield Progress(_translated("Meshing {plate}").format(plate=key), *so_far)
         try:
             mesh, making = yield from _made(_contour(contours, key), state.plates.input_hash, mesher, so_far)
-            tracks[key] = attrs.evolve(_track(mesh, metric), making=_making(making, metric))
+            tracks[key] = attrs.evolve(_track(mesh, metric), making=Making.of(making, metric))
         except HullquadError as error:
             refused[key] = error
     return Meshed(state.plates, mesher, tracks, refused)
@@ -150,26 +149,20 @@ def _made(
     from hullquad import pipeline  # noqa: PLC0415
 
     if mesher.name == PAPER:
-        return pipeline.paper_mesh(contour, input_hash), ()
+        making = pipeline.paper_stages(contour, input_hash)
+    else:
+        making = pipeline.best_stages(contour, input_hash, mesher.settings)
     stages: list[MeshStage] = []
-    for stage in pipeline.best_stages(contour, input_hash, mesher.settings):
-        yield Progress(stage_progress(contour.plate.id, stage), *so_far)
-        if stage.is_best:
-            best = stage
-        else:
+    told, text = None, _translated("Meshing {plate}").format(plate=contour.plate.id)
+    for stage in making:
+        if stage is not None:
             stages.append(stage)
-    return best.mesh, [stage for stage in stages if stage.candidate == best.candidate and stage.step is not best.step]
-
-
-def _making(stages: Sequence["MeshStage"], metric: Metric) -> tuple[Iterate, ...]:
-    """The stages as iterates that count up to the finished mesh, thinned to the budget of a track."""
-    from hullquad.optimization.paper import unmoved  # noqa: PLC0415
-
-    iterates = [
-        attrs.evolve(unmoved(stage.mesh, metric), number=row - len(stages), is_best=False, stage=stage.step.value)
-        for row, stage in enumerate(stages)
-    ]
-    return tuple(thinned(iterates, BUDGET))
+            if (stage.step, stage.candidate) == told:
+                continue
+            told, text = (stage.step, stage.candidate), stage_progress(contour.plate.id, stage)
+        yield Progress(text, *so_far)
+    best = [stage for stage in stages if stage.is_best][-1]
+    return best.mesh(), [stage for stage in stages if stage.candidate == best.candidate and stage is not best]
 
 
 def plates_saved(plates: Document, path: Path) -> Work:

@@ -1,6 +1,8 @@
 """The whole way of a plate: contour -> triangles -> quads -> better quads."""
 
 from collections.abc import Callable, Iterable, Iterator
+from functools import partial
+from typing import TYPE_CHECKING
 
 import attrs
 import numpy as np
@@ -11,11 +13,15 @@ from hullquad.mesh import Mesh
 from hullquad.optimization.iterate import Iterate, Outcome, outcome
 from hullquad.plate import Plate
 from hullquad.quads.settings import MeshSettings
-from hullquad.quads.stages import Step
+from hullquad.quads.stages import States, Step, whole
 from hullquad.surface import Plane
 from hullquad.topology import NodeState, topology
 from hullquad.triangulation.contour import MOST_ELEMENTS, Contour
-from hullquad.triangulation.delaunay import Triangulation, triangulate
+from hullquad.triangulation.delaunay import triangulate
+
+if TYPE_CHECKING:
+    from hullquad.quads.pairs import Pairs
+    from hullquad.quads.portfolio import Trial
 
 MIN_ANGLE = 30.0
 """Least angle of the triangles, where the contour allows it [degrees]."""
@@ -36,13 +42,9 @@ def paper_mesh(contour: Contour, input_hash: str = "") -> Mesh:
         The plate could not be triangulated.
     """
     from hullquad.quads.join import elements, joins  # noqa: PLC0415  brings Numba: half a second
-    from hullquad.quads.pairs import pairs  # noqa: PLC0415
 
-    surface = plane_of(contour.plate)
-    triangulation = _triangulated(contour)
-    points = _points(contour, triangulation.nodes)
-    possible = pairs(points, triangulation.triangles, surface.normal[None])
-    return _mesh(contour, triangulation.nodes, elements(possible, joins(possible)), input_hash)
+    nodes, possible = _triangulated_pairs(contour)
+    return _mesh(contour, nodes, elements(possible, joins(possible)), input_hash)
 
 
 @attrs.frozen(eq=False, kw_only=True)
@@ -50,60 +52,104 @@ class MeshStage:
     """A state of a mesh that is being made."""
 
     step: Step
-    mesh: Mesh
     candidate: int
     """Which of several ways to place the points this is, from 0."""
     candidates: int
     """So many at most."""
     is_best: bool
     """Whether it is a finished mesh, and the best so far: the last one of these is the result."""
+    _mesh: Callable[[], Mesh]
+
+    def mesh(self) -> Mesh:
+        """The mesh then, put together now: a plate has thousands of stages."""
+        return self._mesh()
 
 
-def best_stages(contour: Contour, input_hash: str = "", settings: MeshSettings | None = None) -> Iterator[MeshStage]:
-    """All states of the best mesher, candidate after candidate; cancelling is not pulling.
+def paper_stages(contour: Contour, input_hash: str = "") -> Iterator[MeshStage | None]:
+    """All states of the paper's mesher, join after join, the mesh of `paper_mesh` last; None where it may be dropped.
 
     Raises
     ------
     MeshingError, WorkerError
         The plate could not be triangulated.
     """
+    from hullquad.quads.join import elements, joins  # noqa: PLC0415  brings Numba: half a second
+    from hullquad.quads.joining import paper_states  # noqa: PLC0415
+
+    yield None
+    nodes, possible = _triangulated_pairs(contour)
+    steps = []
+    for join in joins(possible):
+        steps.append(join)
+        yield None
+    for states in paper_states(nodes, possible, steps):
+        yield from _stages(contour, input_hash, states)
+    yield from _stages(contour, input_hash, whole(Step.JOINED, nodes, elements(possible, steps)), is_best=True)
+
+
+def best_stages(
+    contour: Contour, input_hash: str = "", settings: MeshSettings | None = None
+) -> Iterator[MeshStage | None]:
+    """All states of the best mesher, candidate after candidate; None where it may be dropped.
+
+    Raises
+    ------
+    MeshingError, WorkerError
+        The plate could not be triangulated.
+    """
+    for trial in _trials(contour, settings, is_watched=True):
+        if trial is None:
+            yield None
+        else:
+            yield from _stages(contour, input_hash, trial.states, trial.number, trial.count, is_best=trial.is_best)
+
+
+def best_mesh(contour: Contour, input_hash: str = "", settings: MeshSettings | None = None) -> Mesh:
+    """The best mesh there is: as few triangles as the contour allows, then few and well shaped quads.
+
+    Raises
+    ------
+    MeshingError, WorkerError
+        The plate could not be triangulated.
+    """
+    for trial in _trials(contour, settings, is_watched=False):
+        if trial is not None and trial.is_best:
+            best = trial.states
+    return _mesh(contour, *best.at(0, len(contour.nodes)), input_hash)  # every plate has a first candidate
+
+
+def _trials(contour: Contour, settings: MeshSettings | None, *, is_watched: bool) -> Iterator["Trial | None"]:
     from hullquad.quads.portfolio import trials  # noqa: PLC0415  brings Numba: half a second
 
     plane_of(contour.plate)
     try:
-        for trial in trials(contour, settings or MeshSettings()):
-            state = trial.draught
-            yield MeshStage(
-                step=state.step,
-                mesh=_mesh(contour, state.nodes, state.elements, input_hash),
-                candidate=trial.number,
-                candidates=trial.count,
-                is_best=trial.is_best,
-            )
+        yield from trials(contour, settings or MeshSettings(), is_watched=is_watched)
     except HullquadError as error:
         raise error.concerning(contour.plate.id) from error
 
 
-def best_mesh(
+def _stages(
     contour: Contour,
-    input_hash: str = "",
-    settings: MeshSettings | None = None,
-    watch: Callable[[MeshStage], None] = lambda _: None,
-) -> Mesh:
-    """The best mesh there is: as few triangles as the contour allows, then few and well shaped quads.
+    input_hash: str,
+    states: States,
+    candidate: int = 0,
+    candidates: int = 1,
+    *,
+    is_best: bool = False,
+) -> Iterator[MeshStage]:
+    """A stage of every state."""
 
-    Every stage is shown to `watch`.
+    def mesh(index: int) -> Mesh:
+        return _mesh(contour, *states.at(index, len(contour.nodes)), input_hash)
 
-    Raises
-    ------
-    MeshingError, WorkerError
-        The plate could not be triangulated.
-    """
-    for stage in best_stages(contour, input_hash, settings):
-        watch(stage)
-        if stage.is_best:
-            best = stage.mesh
-    return best  # every plate has a first candidate
+    for index in range(len(states)):
+        yield MeshStage(
+            step=states.step,
+            candidate=candidate,
+            candidates=candidates,
+            is_best=is_best,
+            mesh=partial(mesh, index),
+        )
 
 
 def _points(contour: Contour, nodes: Floats) -> Floats:
@@ -140,9 +186,13 @@ def plane_of(plate: Plate) -> Plane:
     return plate.surface
 
 
-def _triangulated(contour: Contour) -> Triangulation:
+def _triangulated_pairs(contour: Contour) -> tuple[Floats, "Pairs"]:
+    """(N, 2) nodes of the paper's triangles, and those that can be joined."""
+    from hullquad.quads.pairs import pairs  # noqa: PLC0415  brings Numba: half a second
+
+    surface = plane_of(contour.plate)
     try:
-        return triangulate(
+        found = triangulate(
             contour.nodes,
             contour.loop_starts,
             area=TRIANGLE_AREA * contour.size**2,
@@ -152,6 +202,7 @@ def _triangulated(contour: Contour) -> Triangulation:
         )
     except HullquadError as error:
         raise error.concerning(contour.plate.id) from error
+    return found.nodes, pairs(_points(contour, found.nodes), found.triangles, surface.normal[None])
 
 
 def improved(iterates: Iterable[Iterate], watch: Callable[[Iterate], None] = lambda _: None) -> Outcome:

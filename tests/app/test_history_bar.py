@@ -4,8 +4,11 @@ import attrs
 import pytest
 from PySide6.QtCore import QPoint, Qt
 
+from hullquad.pipeline import MeshStage
+from hullquad.quads.stages import Step
 from hullquad_app.colours import DARK
 from hullquad_app.history_bar import HistoryBar
+from hullquad_app.making import Making
 from hullquad_app.scene import Scene
 from hullquad_app.track import Track
 
@@ -35,8 +38,11 @@ def test_numbers_that_are_missing_are_told_as_they_are(bar, walked):
 
 
 def test_the_making_of_a_mesh_comes_before_its_first_iterate(bar, qtbot, walked):
-    stages = tuple(attrs.evolve(walked.first, number=row - 2, stage=("triangulated", "joined")[row]) for row in (0, 1))
-    track = attrs.evolve(walked, making=stages)
+    stages = [
+        MeshStage(step=step, candidate=0, candidates=1, is_best=False, mesh=lambda: walked.first.mesh)
+        for step in (Step.TRIANGULATED, Step.JOINED)
+    ]
+    track = attrs.evolve(walked, making=Making(stages, walked.first.quality.metric))
     bar.show_scene(scene(track, 0, stage=1))
     assert (bar.slider.minimum(), bar.slider.value(), bar.slider.maximum()) == (-2, -1, 12)
     assert (bar.place.text(), bar.stage.text()) == ("making 2 of 2", "triangles joined to quads")

@@ -187,7 +187,7 @@ def test_meshing_waits_until_the_kernels_are_prepared(jobs, block, qtbot, monkey
 
     monkeypatch.setattr(pipeline, "prepare", lambda: order.append("prepared"))
     monkeypatch.setattr(worker, "call", lambda *_, **__: order.append("worker"))
-    monkeypatch.setattr(pipeline, "paper_mesh", fail)
+    monkeypatch.setattr(pipeline, "paper_stages", fail)
     jobs.prepare()
     answer(qtbot, jobs.meshing.broke, mesh(jobs, block, ["H1"], mesher=PAPER))
     assert order == ["worker", "prepared", "meshed"]

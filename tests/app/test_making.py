@@ -6,6 +6,10 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import QSettings
 
+from hullquad.metrics import metric
+from hullquad.pipeline import MeshStage
+from hullquad.quads.stages import Step
+from hullquad_app.making import MOST, Making
 from hullquad_app.mesher import Mesher
 from hullquad_app.session import Session
 from hullquad_app.settings import Settings
@@ -53,14 +57,31 @@ def shown(session):
 
 def test_it_goes_from_triangles_to_the_finished_mesh(meshed):
     making = meshed.track.making
-    assert [stage.stage for stage in making[:2]] == ["triangulated", "joined"]
+    assert [stage.stage for stage in making][:2] == ["triangulated", "joined"]
     assert [stage.number for stage in making] == list(range(-len(making), 0))
     triangles = [len(stage.mesh.topology.triangles) for stage in (*making, meshed.track.first)]
     assert all(after <= before for before, after in pairwise(triangles))
 
 
-def test_the_paper_has_none(mesh):
-    assert mesh(Mesher(name="paper")).track.making == ()
+@pytest.mark.parametrize("mesher", [Mesher(), Mesher(name="paper")])
+def test_every_join_is_a_stage(mesh, mesher):
+    making = mesh(mesher).track.making
+    joined = [len(stage.mesh.topology.quads) for stage in making if stage.stage in ("triangulated", "joined")]
+    assert joined == list(range(len(joined)))
+    assert len(joined) > 15
+
+
+def test_the_last_stage_of_the_papers_making_lacks_one_quad(mesh):
+    scene = mesh(Mesher(name="paper"))
+    assert len(scene.track.making[-1].mesh.topology.quads) == len(scene.mesh.topology.quads) - 1
+
+
+def test_of_thousands_of_stages_a_part_is_kept_with_the_first_and_the_last_of_each_step():
+    steps = [Step.TRIANGULATED, *[Step.JOINED] * 5000, *[Step.CLEANED] * 700]
+    stages = [MeshStage(step=step, candidate=0, candidates=1, is_best=False, mesh=lambda: None) for step in steps]
+    kept = Making.of(stages, metric("stretch")).stages
+    assert MOST / 2 < len(kept) <= MOST + len(set(steps))
+    assert {stages[0], stages[5000], stages[-1]} < set(kept)
 
 
 def test_stages_are_scrubbed_to_their_ends(session, meshed, shown):

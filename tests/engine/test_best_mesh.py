@@ -100,15 +100,62 @@ def test_the_same_plate_gives_the_same_best_mesh():
     assert one.topology.elements.tobytes() == other.topology.elements.tobytes()
 
 
-def test_stages_begin_with_triangles_and_their_last_best_one_is_the_mesh():
+@pytest.fixture(scope="module")
+def stages():
+    """All stages of a plate that is meshed several times, without the places where it may be dropped."""
+    return [stage for stage in pipeline.best_stages(CONTOURS["stool_plate-stool_plate coarse"]) if stage is not None]
+
+
+def test_stages_begin_with_triangles_and_their_last_best_one_is_the_mesh(stages):
     contour = CONTOURS["stool_plate-stool_plate coarse"]
-    stages = list(pipeline.best_stages(contour))
     assert stages[0].step is Step.TRIANGULATED
-    assert len(stages[0].mesh.topology.quads) == 0
-    best = [stage for stage in stages if stage.is_best][-1].mesh
-    assert best.points.tobytes() == pipeline.best_mesh(contour).points.tobytes()
+    assert len(stages[0].mesh().topology.quads) == 0
+    best = [stage for stage in stages if stage.is_best][-1].mesh()
+    alone = pipeline.best_mesh(contour)
+    assert best.points.tobytes() == alone.points.tobytes()
+    assert best.topology.elements.tobytes() == alone.topology.elements.tobytes()
+
+
+def test_every_stage_fills_the_plate_and_keeps_the_nodes_of_its_contour(stages):
+    contour = CONTOURS["stool_plate-stool_plate coarse"]
     for stage in stages:
-        assert stage.mesh.points[: len(contour.points)].tobytes() == contour.points.tobytes()
+        mesh = stage.mesh()
+        assert mesh.points[: len(contour.points)].tobytes() == contour.points.tobytes()
+        counts = edges(mesh.topology.elements)[1]
+        assert counts.max() == 2
+        assert (counts == 1).sum() == contour.edge_count
+
+
+def test_every_join_is_a_stage_and_quads_at_the_contour_come_first(stages):
+    first = [
+        stage.mesh() for stage in stages if stage.candidate == 0 and stage.step in (Step.TRIANGULATED, Step.JOINED)
+    ]
+    quads = [set(map(tuple, mesh.topology.quads.tolist())) for mesh in first]
+    assert [len(found) for found in quads] == list(range(len(quads)))
+    rim = set(map(tuple, CONTOURS["stool_plate-stool_plate coarse"].segments.tolist()))
+    sides = [zip(quad, quad[1:] + quad[:1], strict=True) for (quad,) in map(set.difference, quads[1:], quads)]
+    at_rim = [not rim.isdisjoint(sides_of_one) for sides_of_one in sides]
+    assert at_rim == sorted(at_rim, reverse=True)
+    assert 0 < sum(at_rim) < len(at_rim)
+
+
+def test_every_step_of_the_making_is_shown(stages):
+    assert {stage.step for stage in stages} == set(Step)
+
+
+def test_a_stage_is_the_same_mesh_whenever_it_is_put_together(stages):
+    for stage in stages[:: len(stages) // 10]:
+        assert stage.mesh().points.tobytes() == stage.mesh().points.tobytes()
+
+
+def test_the_stages_of_the_paper_lead_to_its_mesh():
+    contour = CONTOURS["floor_manholes-floor_manholes coarse"]
+    stages = [stage for stage in pipeline.paper_stages(contour) if stage is not None]
+    quads = [len(stage.mesh().topology.quads) for stage in stages]
+    assert quads == list(range(len(stages)))
+    mesh, alone = stages[-1].mesh(), pipeline.paper_mesh(contour)
+    assert mesh.topology.elements.tobytes() == alone.topology.elements.tobytes()
+    assert mesh.points.tobytes() == alone.points.tobytes()
 
 
 def test_a_mesh_that_is_not_wanted_any_more_costs_nothing_more():

@@ -8,8 +8,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hullquad.arrays import Bools, Floats, Ints, Longs, ints
+from hullquad.arrays import Bools, Floats, Ints, Longs
 from hullquad.metrics.compiled import compiled
+from hullquad.quads.stages import compact
 
 NODES, ELEMENTS, STAMP = range(3)
 """Rows of `Draft.tallies`."""
@@ -106,12 +107,7 @@ def _with_spare(count: int) -> int:
 
 def finished(made: Draft, given: int) -> tuple[Floats, Ints]:
     """Nodes and elements in use: quads in their order, then the triangles; the first `given` nodes all stay."""
-    rows = made.element_rows
-    rows = np.concatenate([rows[rows[:, 3] >= 0], rows[rows[:, 3] < 0]])
-    used = made.counts > 0
-    used[:given] = True
-    numbers = np.append(np.cumsum(used) - 1, -1)
-    return made.nodes[used], ints(numbers[rows])
+    return compact(made.nodes, made.element_rows, given)
 
 
 @compiled

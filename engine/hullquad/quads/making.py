@@ -1,23 +1,26 @@
 """From triangles to the finished quads of one candidate: joined, repaired, cleaned up, smoothed."""
 
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 
 import attrs
 import numpy as np
 
 from hullquad.arrays import Bools, Floats, Ints, Longs, ints
-from hullquad.quads.cleanup import clean_up
+from hullquad.quads.cleanup import cleaned
 from hullquad.quads.cost import cost, least_cost
 from hullquad.quads.draft import Draft, draft, finished
 from hullquad.quads.energy import INVALID, quad_energy
+from hullquad.quads.inwards import inwards
 from hullquad.quads.join import joined_elements
+from hullquad.quads.joining import joined_states
+from hullquad.quads.log import Log
 from hullquad.quads.matching import matching
 from hullquad.quads.pairs import Pairs, pairs
-from hullquad.quads.repair import repair
+from hullquad.quads.repair import repaired
 from hullquad.quads.settings import Preference
-from hullquad.quads.shaking import shake
-from hullquad.quads.smoothing import relax_all
-from hullquad.quads.stages import Draught, Step
+from hullquad.quads.shaking import shaken
+from hullquad.quads.smoothing import relaxed
+from hullquad.quads.stages import States, Step, padded, whole
 from hullquad.quads.trial import change, ground
 
 _ATTEMPTS = 3
@@ -58,8 +61,15 @@ class Task:
         return least_cost(self.prefer)
 
 
-def draughts(nodes: Floats, triangles: Ints, task: Task) -> Iterator[Draught]:
-    """States of the mesh that is made from triangles, the finished one last.
+Making = Iterator[States | None]
+"""States of a mesh on the way, if somebody watches, and the finished one, which has a cost, as the last.
+
+Beside them it yields None from time to time: it may be dropped then.
+"""
+
+
+def making(nodes: Floats, triangles: Ints, task: Task, *, is_watched: bool) -> Making:
+    """What becomes of triangles.
 
     Parameters
     ----------
@@ -68,43 +78,55 @@ def draughts(nodes: Floats, triangles: Ints, task: Task) -> Iterator[Draught]:
     triangles : (T, 3) int array
         Counter-clockwise.
     task : Task
+    is_watched
+        Whether there are states on the way.
     """
-    yield Draught(step=Step.TRIANGULATED, nodes=nodes, elements=_padded(triangles))
-    made = _joined(nodes, triangles, task)
-    yield _draught(Step.JOINED, made, task)
+    log = Log(is_watched=is_watched)
+    made = yield from _joined(nodes, triangles, task, log)
     wish, floor = change(), ground(made)
-    if task.prefer is Preference.QUADS and len(made.triangles) > task.unavoidable:
-        repair(made, wish, floor, task.unavoidable)
-        yield _draught(Step.REPAIRED, made, task)
-    clean_up(made, wish, floor, _PASSES, np.ones(len(made.nodes), dtype=np.int64))
-    yield _draught(Step.CLEANED, made, task)
-    relax_all(made, _LAST_SWEEPS, _NEARER * task.size)
-    yield _draught(Step.SMOOTHED, made, task)
+    if task.prefer is Preference.QUADS:
+        yield from repaired(made, wish, floor, task.unavoidable, log)
+    yield from cleaned(made, wish, floor, _PASSES, log)
+    yield from relaxed(made, _LAST_SWEEPS, _NEARER * task.size, log)
+    yield _finished(Step.SMOOTHED, made, task)
 
 
-def shaken(finished_one: Draught, task: Task) -> Draught:
+def shaking(finished_one: States, task: Task, *, is_watched: bool) -> Making:
     """A finished mesh shaken, the more often the smaller it is."""
-    made = draft(finished_one.nodes, finished_one.elements, task.given, task.rim_ideal)
-    times = min(_MOST_SHAKES, _SHAKING // len(finished_one.elements))
-    shake(made, change(), ground(made), times if times >= _FEWEST_SHAKES else 0)
-    relax_all(made, _LAST_SWEEPS, _NEARER * task.size)
-    return _draught(Step.SHAKEN, made, task)
+    nodes, elements = finished_one.at(0, task.given)
+    made, log = draft(nodes, elements, task.given, task.rim_ideal), Log(is_watched=is_watched)
+    log.begin(made, finished_one)
+    times = min(_MOST_SHAKES, _SHAKING // len(elements))
+    yield from shaken(made, change(), ground(made), times if times >= _FEWEST_SHAKES else 0, log)
+    yield from relaxed(made, _LAST_SWEEPS, _NEARER * task.size, log)
+    yield _finished(Step.SHAKEN, made, task)
 
 
-def _joined(nodes: Floats, triangles: Ints, task: Task) -> Draft:
+def _joined(nodes: Floats, triangles: Ints, task: Task, log: Log) -> Generator[States | None, None, Draft]:
     """Draft of the pairing whose quads are all valid once they are smoothed."""
     points = np.pad(nodes, ((0, 0), (0, 1)))
     forbidden = np.empty((0, 2), dtype=np.int32)
     for attempt in range(_ATTEMPTS + 1):
         held = task.given if attempt < _ATTEMPTS else None
         possible = pairs(points, triangles, _UP, forbidden, held)
-        chosen = matching(possible, possible.scores, np.zeros(len(triangles)))
-        made = draft(nodes, joined_elements(possible, sorted(chosen)), task.given, task.rim_ideal)
-        relax_all(made, _SWEEPS, _NEAR * task.size)
+        yield None
+        chosen = yield from matching(possible, possible.scores, np.zeros(len(triangles)))
+        elements = joined_elements(possible, sorted(chosen))
+        made = draft(nodes, elements, task.given, task.rim_ideal)
+        log.begin(made, whole(Step.JOINED, nodes, elements))
+        smoothing = []
+        for states in relaxed(made, _SWEEPS, _NEAR * task.size, log):
+            smoothing.append(states)
+            yield None
         spoilt = _spoilt(made)
         if not spoilt:
             break
         forbidden = np.concatenate([forbidden, _cuts(possible, sorted(chosen), spoilt)])
+    if log.is_watched:
+        start = whole(Step.TRIANGULATED, nodes, padded(triangles))
+        yield from (start, joined_states(start, possible, inwards(possible, chosen)))
+        yield from smoothing
+        yield log.compared(Step.SMOOTHED, made)
     return made
 
 
@@ -121,11 +143,5 @@ def _cuts(possible: Pairs, chosen: list[int], spoilt: set[tuple[int, ...]]) -> I
     return ints(quads[is_spoilt][:, [1, 3]])
 
 
-def _padded(triangles: Ints) -> Ints:
-    return np.pad(triangles, ((0, 0), (0, 1)), constant_values=-1)
-
-
-def _draught(step: Step, made: Draft, task: Task) -> Draught:
-    nodes, elements = finished(made, task.given)
-    price = cost(made, task.unavoidable, task.squares, task.prefer)
-    return Draught(step=step, nodes=nodes, elements=elements, cost=price)
+def _finished(step: Step, made: Draft, task: Task) -> States:
+    return whole(step, *finished(made, task.given), cost(made, task.unavoidable, task.squares, task.prefer))

@@ -5,6 +5,8 @@ the advancing front, augmented to the greatest number of pairs, whose partners a
 circles (and paths from a triangle that is left) of up to `DEPTH` pairs, wherever that gains.
 """
 
+from collections.abc import Generator
+
 import numpy as np
 
 from hullquad.arrays import Bools, Floats, Longs, longs
@@ -17,13 +19,15 @@ EXACT = 1000
 """Triangles up to which the exact method takes no longer than some hundredths of a second."""
 DEPTH = 6
 """Pairs that a circle may have."""
+_STARTS = 8000
+"""Triangles from which ways are tried before somebody may lose interest: some hundredths of a second."""
 _LEAST = 1e-9
 _DIGITS = 1_000_000
 """Weights are rounded to whole numbers for the exact method: rounding must not send it in circles."""
 
 
-def matching(pairs: Pairs, weights: Floats, single_weights: Floats) -> set[int]:
-    """Rows of the pairs that are to be joined.
+def matching(pairs: Pairs, weights: Floats, single_weights: Floats) -> Generator[None, None, set[int]]:
+    """Rows of the pairs that are to be joined, when it is done; it yields from time to time, to be dropped perhaps.
 
     Parameters
     ----------
@@ -37,8 +41,10 @@ def matching(pairs: Pairs, weights: Floats, single_weights: Floats) -> set[int]:
         return _exact(pairs, weights, single_weights)
     joined = {row for join in front(pairs) for row in join.joined}
     for change in augment(pairs, joined):
-        joined = (joined - set(change.parted)) | set(change.joined)
-    return improved(pairs, joined, weights, single_weights)
+        joined.difference_update(change.parted)
+        joined.update(change.joined)
+        yield
+    return (yield from improved(pairs, joined, weights, single_weights))
 
 
 def _exact(pairs: Pairs, weights: Floats, single_weights: Floats) -> set[int]:
@@ -55,13 +61,21 @@ def _exact(pairs: Pairs, weights: Floats, single_weights: Floats) -> set[int]:
     return {rows[min(ends), max(ends)] for ends in found}
 
 
-def improved(pairs: Pairs, joined: set[int], weights: Floats, single_weights: Floats) -> set[int]:
-    """Rows of a pairing of as many pairs and a weight that is not less."""
+def improved(
+    pairs: Pairs, joined: set[int], weights: Floats, single_weights: Floats
+) -> Generator[None, None, set[int]]:
+    """Rows of a pairing of as many pairs and a weight that is not less; yields from time to time."""
     mates = np.full(len(pairs.triangles), -1)
     for one, other in pairs.members[sorted(joined)].tolist():
         mates[one], mates[other] = other, one
     across = longs(pairs.pair_across)
-    _improve(longs(pairs.neighbours), across, weights, single_weights, mates, np.zeros(len(mates), dtype=np.bool_))
+    neighbours, visited = longs(pairs.neighbours), np.zeros(len(mates), dtype=np.bool_)
+    gains = True
+    while gains:
+        gains = False
+        for start in range(0, len(mates), _STARTS):
+            gains |= _improve(neighbours, across, weights, single_weights, mates, visited, start, start + _STARTS)
+            yield
     triangle, side = np.nonzero((pairs.neighbours == mates[:, None]) & (pairs.pair_across >= 0))
     return set(across[triangle, side].tolist())
 
@@ -133,18 +147,24 @@ def _better_way(
 
 @compiled
 def _improve(
-    neighbours: Longs, across: Longs, weights: Floats, single_weights: Floats, mates: Longs, visited: Bools
-) -> None:
-    """Change partners along circles and paths as long as any gains."""
+    neighbours: Longs,
+    across: Longs,
+    weights: Floats,
+    single_weights: Floats,
+    mates: Longs,
+    visited: Bools,
+    first: int,
+    end: int,
+) -> bool:
+    """Change partners along circles and paths that start at some of the triangles; whether any gained."""
     path, best_path = np.zeros(2 * DEPTH + 3, dtype=np.int64), np.zeros(2 * DEPTH + 3, dtype=np.int64)
-    again = True
-    while again:
-        again = False
-        for start in range(len(mates)):
-            length = _better_way(start, neighbours, across, weights, single_weights, mates, visited, path, best_path)
-            for place in range(0, length - 1, 2):
-                one, other = best_path[place], best_path[place + 1]
-                mates[one], mates[other] = other, one
-            if length % 2 == 1:
-                mates[best_path[length - 1]] = -1
-            again = again or length > 0
+    gained = False
+    for start in range(first, min(end, len(mates))):
+        length = _better_way(start, neighbours, across, weights, single_weights, mates, visited, path, best_path)
+        for place in range(0, length - 1, 2):
+            one, other = best_path[place], best_path[place + 1]
+            mates[one], mates[other] = other, one
+        if length % 2 == 1:
+            mates[best_path[length - 1]] = -1
+        gained = gained or length > 0
+    return gained

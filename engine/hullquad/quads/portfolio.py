@@ -5,13 +5,14 @@ the clock, so that the same plate always gives the same mesh. It ends early when
 """
 
 from collections.abc import Iterator
+from math import inf
 
 import attrs
 import numpy as np
 
-from hullquad.quads.making import Task, draughts, shaken
+from hullquad.quads.making import Task, making, shaking
 from hullquad.quads.settings import MeshSettings
-from hullquad.quads.stages import Draught
+from hullquad.quads.stages import States
 from hullquad.triangulation.contour import MOST_ELEMENTS, Contour
 from hullquad.triangulation.delaunay import Triangulation, triangulate
 from hullquad.triangulation.field import Field, corners, field, fitting_elements
@@ -52,19 +53,28 @@ CANDIDATES = (
 
 @attrs.frozen(eq=False, kw_only=True)
 class Trial:
-    """A state of one of the candidates."""
+    """States of one of the candidates."""
 
     number: int
     """Of the candidate, from 0."""
     count: int
     """Candidates that are tried at most."""
-    draught: Draught
+    states: States
     is_best: bool = False
     """Whether it is a finished mesh, and the best so far."""
 
 
-def trials(contour: Contour, settings: MeshSettings) -> Iterator[Trial]:
+def trials(contour: Contour, settings: MeshSettings, *, is_watched: bool) -> Iterator[Trial | None]:
     """States of all candidates, one after the other; the mesh to take is the last one that is the best so far.
+
+    Beside them it yields None from time to time: it may be dropped then.
+
+    Parameters
+    ----------
+    contour : Contour
+    settings : MeshSettings
+    is_watched
+        Whether there are states on the way, beside the finished ones.
 
     Raises
     ------
@@ -73,20 +83,30 @@ def trials(contour: Contour, settings: MeshSettings) -> Iterator[Trial]:
     """
     task = _task(contour, settings)
     guide = field(contour, settings.grading)
-    count, best = 1, None
+    count, best, lowest = 1, None, inf
     for number, candidate in enumerate(CANDIDATES):
-        if number == count or (best is not None and best.draught.cost < task.least_cost + _NOTHING_LEFT):
+        if number == count or lowest < task.least_cost + _NOTHING_LEFT:
             break
-        made = _triangulated(contour, candidate, guide)
-        for draught in draughts(made.nodes, made.triangles, task):
-            yield Trial(number=number, count=count, draught=draught)
-        if number == 0:
-            count = max(1, min(len(CANDIDATES), _EFFORT // len(draught.elements)))
-        if best is None or draught.cost < best.draught.cost:
-            best = Trial(number=number, count=count, draught=draught, is_best=True)
-            yield best
-    if best is not None and best.draught.cost >= task.least_cost + _NOTHING_LEFT:
-        yield attrs.evolve(best, draught=shaken(best.draught, task))
+        yield None
+        placed = _triangulated(contour, candidate, guide)
+        for states in making(placed.nodes, placed.triangles, task, is_watched=is_watched):
+            trial = _trial(states, number, count, lowest)
+            if trial is not None and trial.is_best:
+                best, lowest = trial, trial.states.cost or 0.0
+            yield trial
+        if number == 0 and best is not None:
+            count = max(1, min(len(CANDIDATES), _EFFORT // len(best.states.rows)))
+    if best is not None and lowest >= task.least_cost + _NOTHING_LEFT:
+        for states in shaking(best.states, task, is_watched=is_watched):
+            yield _trial(states, best.number, count, inf)
+
+
+def _trial(states: States | None, number: int, count: int, lowest: float) -> Trial | None:
+    """States as those of a candidate; the best is finished and costs less than the lowest cost so far."""
+    if states is None:
+        return None
+    is_best = states.cost is not None and states.cost < lowest
+    return Trial(number=number, count=count, states=states, is_best=is_best)
 
 
 def _task(contour: Contour, settings: MeshSettings) -> Task:

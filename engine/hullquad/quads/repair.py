@@ -1,47 +1,55 @@
 """Triangles that need not be there taken out, two at a time."""
 
+from collections.abc import Generator, Iterator
+
 import numpy as np
 
 from hullquad.arrays import Longs
 from hullquad.metrics.compiled import compiled
 from hullquad.quads.draft import ELEMENTS, Draft
 from hullquad.quads.energy import element_energy
+from hullquad.quads.log import Log
 from hullquad.quads.opening import opened
+from hullquad.quads.stages import States, Step
 from hullquad.quads.trial import NEVER, Change, Ground
-from hullquad.quads.walk import distances_to, walk
+from hullquad.quads.walk import DETOURS, GOING_ON, JOINED, distances_to, walk
 
 _LONGEST_WALK = 400
-_WALK, _WALK_BACK, _OPEN = range(3)
+_STEPS = 20
+"""Of a walk, before somebody may lose interest: some hundredths of a second."""
 
 
-def repair(made: Draft, wish: Change, floor: Ground, unavoidable: int) -> bool:
-    """Take triangles out, the nearest two first, until only the unavoidable ones are left; whether that was possible.
+def repaired(made: Draft, wish: Change, floor: Ground, unavoidable: int, log: Log) -> Iterator[States | None]:
+    """Take triangles out, the nearest two first, until only the unavoidable ones are left or there is no way.
 
     Two triangles are taken out by the way that costs least: one walks to the other, the other to the one, or the path
-    of nodes between them is opened.
+    of nodes between them is opened. The state after each repair.
     """
     tried: set[tuple[int, int]] = set()
-    while True:
-        triangles = made.triangles
-        if len(triangles) <= unavoidable:
-            return True
+    while len(triangles := made.triangles) > unavoidable:
         found = zip(_partners(made, triangles).tolist(), triangles.tolist(), strict=True)
         ways = sorted((distance, one, other) for (other, distance), one in found if other >= 0)
         pair = next(((one, other) for _, one, other in ways if (one, other) not in tried), None)
         if pair is None:
-            return False
-        if _unite(made, wish, floor, *pair):
+            break
+        if (yield from _united(made, wish, floor, *pair)):
             tried.clear()
+            yield log.compared(Step.REPAIRED, made)
         else:
             tried.add(pair)
 
 
-def _unite(made: Draft, wish: Change, floor: Ground, one: int, other: int) -> bool:
+def _united(made: Draft, wish: Change, floor: Ground, one: int, other: int) -> Generator[None, None, bool]:
     """Take two triangles out the way that costs least; whether there was one."""
     before = made.copied()
     best, lowest = None, np.inf
-    for way in (_WALK, _WALK_BACK, _OPEN):
-        if _united(made, wish, floor, one, other, way):
+    ways = (
+        _walked(made, wish, floor, one, other),
+        _walked(made, wish, floor, other, one),
+        _opened(made, wish, floor, one, other),
+    )
+    for way in ways:
+        if (yield from way):
             energy = _total_energy(made)
             if energy < lowest:
                 best, lowest = made.copied(), energy
@@ -51,11 +59,20 @@ def _unite(made: Draft, wish: Change, floor: Ground, one: int, other: int) -> bo
     return best is not None
 
 
-def _united(made: Draft, wish: Change, floor: Ground, one: int, other: int, way: int) -> bool:
-    if way == _OPEN:
-        return opened(made, wish, floor, one, other, NEVER) > NEVER
-    start, end = (one, other) if way == _WALK else (other, one)
-    return walk(made, wish, floor, start, end, _LONGEST_WALK)
+def _walked(made: Draft, wish: Change, floor: Ground, one: int, other: int) -> Generator[None, None, bool]:
+    at = np.array([one, other, DETOURS])
+    for _ in range(_LONGEST_WALK // _STEPS):
+        outcome = walk(made, wish, floor, at, _STEPS)
+        if outcome != GOING_ON:
+            return bool(outcome == JOINED)
+        yield
+    return False
+
+
+def _opened(made: Draft, wish: Change, floor: Ground, one: int, other: int) -> Generator[None, None, bool]:
+    is_open = opened(made, wish, floor, one, other, NEVER) > NEVER
+    yield
+    return is_open
 
 
 @compiled

@@ -4,38 +4,48 @@ So clean-up gets out of states that no single change makes better. The changes a
 numbers with a fixed seed: the same mesh is always shaken alike.
 """
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from hullquad.arrays import Longs
 from hullquad.metrics.compiled import compiled
 from hullquad.quads.changes import PROPOSALS, propose
-from hullquad.quads.cleanup import clean_up
+from hullquad.quads.cleanup import EVERY, clean_up
 from hullquad.quads.draft import ELEMENTS, Draft, corner_count
 from hullquad.quads.energy import element_energy
+from hullquad.quads.log import Log
+from hullquad.quads.stages import States, Step
 from hullquad.quads.trial import ADDED, ELEMENT, Change, Ground, attempt
 
 DEAREST = -3.0
 """Least gain of a change that is tried."""
 _PASSES = 3
+_SHAKES = 20
+"""Changes that are tried before somebody may lose interest."""
 _SEED = 20
 _DRAWS = 5
 """Random numbers for a change: three elements, of which the worst is taken, its node, and what to do there."""
 
 
-def shake(made: Draft, wish: Change, floor: Ground, times: int) -> None:
-    """Try so many changes, one after the other."""
+def shaken(made: Draft, wish: Change, floor: Ground, times: int, log: Log) -> Iterator[States | None]:
+    """Try so many changes, one after the other; the state after each that stays."""
     draws = np.random.default_rng(_SEED).integers(0, 2**31, (times, _DRAWS))
     saved = made.copied()
-    due = np.zeros(len(made.nodes), dtype=np.int64)
+    due, at = np.zeros(len(made.nodes), dtype=np.int64), np.zeros(4, dtype=np.int64)
     lowest = _price(made)
-    for draw in draws:
+    for number, draw in enumerate(draws):
+        if number % _SHAKES == 0:
+            yield None
         if not _kicked(made, wish, floor, draw, due):
             continue
-        clean_up(made, wish, floor, _PASSES, due)
+        at[:] = 0
+        clean_up(made, wish, floor, _PASSES, due, at, EVERY, EVERY)
         price = _price(made)
         if price < lowest - 1e-6:
             lowest = price
             saved.restore(made)
+            yield log.compared(Step.SHAKEN, made)
         else:
             made.restore(saved)
 

@@ -4,16 +4,25 @@ While all elements around a node are valid its energy is convex, and a guarded N
 with an invalid element goes where the worst corner around it becomes best.
 """
 
+from collections.abc import Iterator
 from math import cos, inf, pi, sin, sqrt
 
-from hullquad.arrays import Longs
+import numpy as np
+
+from hullquad.arrays import Floats, Longs
 from hullquad.metrics.compiled import compiled
 from hullquad.quads.draft import NODES, Draft, corner_count, corner_of
 from hullquad.quads.energy import FLAT, QUAD_SCALE, TRIANGLE_SCALE, corner_eta
+from hullquad.quads.log import Log
+from hullquad.quads.stages import States, Step
 
 _HALVINGS = 5
 _DIRECTIONS = 8
 _TRIES = 12
+_VISITS = 50_000
+"""Nodes that are moved before somebody may lose interest: some hundredths of a second."""
+_ENDED = 1_000_000_000
+"""Sweeps that are never made."""
 
 Terms = tuple[float, float, float, float, float, float]
 """Energy, its gradient (2) and its second derivatives (xx, xy, yy)."""
@@ -198,15 +207,35 @@ def relax(made: Draft, chosen: Longs, count: int, sweeps: int, tolerance: float)
             break
 
 
+def relaxed(made: Draft, sweeps: int, tolerance: float, log: Log) -> Iterator[States | None]:
+    """Move all free nodes, there and back, until none goes farther than the tolerance [mm]; states on the way.
+
+    From one state to the next are twice as many sweeps as to the last, for nodes move less and less.
+    """
+    at, stop = np.zeros(3), 1 if log.is_watched else sweeps
+    while at[0] < sweeps:
+        is_there = _relax_on(made, min(stop, sweeps), tolerance, at, _VISITS)
+        if at[0] < sweeps:
+            yield log.compared(Step.SMOOTHED, made) if is_there else None
+        if is_there:
+            stop *= 2
+
+
 @compiled
-def relax_all(made: Draft, sweeps: int, tolerance: float) -> None:
-    """Move all free nodes, there and back, until none goes farther than the tolerance [mm]."""
+def _relax_on(made: Draft, sweeps: int, tolerance: float, at: Floats, visits: int) -> bool:
+    """Go on moving all free nodes from where one is, which is kept in `at`; whether so many sweeps are done."""
     count = made.tallies[NODES]
-    for sweep in range(sweeps):
-        farthest = 0.0
-        for i in range(count):
-            node = i if sweep % 2 == 0 else count - 1 - i
-            if not made.held[node] and made.counts[node] > 0:
-                farthest = max(farthest, relax_node(made, node))
-        if farthest < tolerance:
-            break
+    sweep, place, farthest = int(at[0]), int(at[1]), at[2]
+    while sweep < sweeps:
+        if visits == 0:
+            at[0], at[1], at[2] = sweep, place, farthest
+            return False
+        node = place if sweep % 2 == 0 else count - 1 - place
+        if not made.held[node] and made.counts[node] > 0:
+            farthest = max(farthest, relax_node(made, node))
+        visits, place = visits - 1, place + 1
+        if place == count:
+            sweep, place = (sweep + 1 if farthest >= tolerance else _ENDED), 0
+            farthest = 0.0
+    at[0], at[1], at[2] = sweep, place, farthest
+    return True

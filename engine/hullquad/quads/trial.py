@@ -84,6 +84,12 @@ def ground(made: Draft) -> Ground:
     )
 
 
+def touched(wish: Change, floor: Ground) -> tuple[Longs, Longs]:
+    """Rows of elements, and nodes, that the change tried last may have altered."""
+    rows = np.concatenate([wish.removed[: wish.tallies[REMOVED]], floor.rows[: wish.tallies[ADDED]]])
+    return np.unique(rows), floor.region[: floor.size[0]]
+
+
 @compiled
 def clear(wish: Change) -> None:
     """Make a change empty."""

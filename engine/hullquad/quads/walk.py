@@ -24,8 +24,9 @@ from hullquad.quads.trial import ADDED, NEVER, Change, Ground, attempt
 
 _STEP_COST = 2.0
 """Energy that one element more on the way outweighs."""
-_DETOURS = 4
+DETOURS = 4
 """Steps that need not bring the triangle nearer."""
+LOST, JOINED, GOING_ON = range(3)
 _FAR = 1_000_000_000
 
 
@@ -82,20 +83,23 @@ def _step(made: Draft, wish: Change, triangle: int, side: int, corner: int) -> b
 
 
 @compiled
-def walk(made: Draft, wish: Change, floor: Ground, triangle: int, target: int, steps: int) -> bool:
-    """Let a triangle walk to another one and join it; False where it does not get there, and the draft is spoilt."""
+def walk(made: Draft, wish: Change, floor: Ground, at: Longs, steps: int) -> int:
+    """Let a triangle walk to another one and join it, or as far as so many steps lead: `LOST`, `JOINED`, `GOING_ON`.
+
+    `at` (3,) is the triangle, the other one and the detours that are left. Lost, it leaves the draft spoilt.
+    """
     distances, queue = np.empty(len(made.elements), dtype=np.int64), np.empty(len(made.elements), dtype=np.int64)
-    detours = _DETOURS
+    triangle, target, detours = at[0], at[1], at[2]
     for _ in range(steps):
         distances_to(made, target, distances, queue, _FAR)
         if distances[triangle] == _FAR:
-            return False
+            return LOST
         slack = 1 if detours > 0 else 0
         if distances[triangle] == 1:
             if _join(made, wish, floor, triangle, target):
-                return True
+                return JOINED
             if detours <= 0:
-                return False
+                return LOST
             triangle, target, slack = target, triangle, 3  # they do not fit here: the other one moves on
             distances_to(made, target, distances, queue, _FAR)
         best, best_side, best_corner, best_ahead = NEVER, -1, -1, 0
@@ -111,13 +115,14 @@ def walk(made: Draft, wish: Change, floor: Ground, triangle: int, target: int, s
                     best, best_side, best_corner = gain - _STEP_COST * ahead, side, corner
                     best_ahead = ahead
         if best_side < 0:
-            return False
+            return LOST
         _step(made, wish, triangle, best_side, best_corner)
         if attempt(made, wish, floor, 2, 4, NEVER) <= NEVER:
-            return False
+            return LOST
         detours -= best_ahead >= distances[triangle]
         triangle = floor.rows[0]
-    return False
+    at[0], at[1], at[2] = triangle, target, detours
+    return GOING_ON
 
 
 @compiled
