@@ -4,6 +4,7 @@ from collections.abc import Callable
 from typing import Any, ParamSpec, TypeVar, cast
 
 import numba
+import numpy
 
 from hullquad.metrics import code_folder
 
@@ -15,7 +16,6 @@ _Result = TypeVar("_Result")
 _OF_A_PART: dict[str, Any] = {
     "nogil": True,
     "error_model": "numpy",
-    "forceinline": True,
     "no_cpython_wrapper": True,
     "no_cfunc_wrapper": True,
 }
@@ -28,6 +28,11 @@ def compiled(function: Callable[_Parameters, _Result]) -> Callable[_Parameters, 
 
 def inlined(function: Callable[_Parameters, _Result]) -> Callable[_Parameters, _Result]:
     """A part of kernels: it becomes one with the loop that calls it, and is not kept by itself."""
+    return cast("Callable[_Parameters, _Result]", numba.njit(forceinline=True, **_OF_A_PART)(function))
+
+
+def called(function: Callable[_Parameters, _Result]) -> Callable[_Parameters, _Result]:
+    """A part of kernels that several lines of them call: compiled once, and not kept by itself."""
     return cast("Callable[_Parameters, _Result]", numba.njit(**_OF_A_PART)(function))
 
 
@@ -39,6 +44,11 @@ def woven(function: Callable[_Parameters, _Result]) -> Callable[_Parameters, _Re
     return cast(
         "Callable[_Parameters, _Result]", numba.njit(inline="always", nogil=True, error_model="numpy")(function)
     )
+
+
+def plain(number: int) -> int:
+    """A constant that is of one type with all other whole numbers: no part is compiled for it alone."""
+    return cast("int", numpy.int64(number))
 
 
 def _jit(function: Callable[_Parameters, _Result]) -> object:

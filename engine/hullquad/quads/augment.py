@@ -10,7 +10,8 @@ from itertools import pairwise
 import numpy as np
 
 from hullquad.arrays import Bools, Bytes, Longs
-from hullquad.metrics.compiled import compiled
+from hullquad.metrics.compiled import called, compiled, woven
+from hullquad.quads.draft import ONE, ZERO
 from hullquad.quads.front import Join
 from hullquad.quads.pairs import Pairs
 
@@ -52,7 +53,7 @@ def _pair(pairs: Pairs, one: int, other: int) -> int:
 _UNSEEN, _OUTER, _INNER = 0, 1, 2
 
 
-@compiled
+@called
 def _base(vertex: int, bases: Longs) -> int:
     """The vertex that stands for the flower a vertex has been contracted into."""
     while bases[vertex] != vertex:
@@ -61,7 +62,7 @@ def _base(vertex: int, bases: Longs) -> int:
     return vertex
 
 
-@compiled
+@woven
 def _common_base(one: int, other: int, mates: Longs, parents: Longs, bases: Longs, rounds: Longs) -> int:
     """Where the ways of two outer vertices to the root meet; both are walked in turn."""
     rounds[-1] += 1
@@ -74,7 +75,7 @@ def _common_base(one: int, other: int, mates: Longs, parents: Longs, bases: Long
     return one
 
 
-@compiled
+@called
 def _fold(
     vertex: int,
     child: int,
@@ -101,7 +102,7 @@ def _fold(
     return tail
 
 
-@compiled
+@woven
 def _search(
     root: int,
     partners: Longs,
@@ -117,7 +118,7 @@ def _search(
     """Grow a tree of alternating paths from a leftover: the other leftover it finds or -1, and the vertices seen."""
     kinds[root] = _OUTER
     queue[0] = touched[0] = root
-    head, tail, seen = 0, 1, 1
+    head, tail, seen = ZERO, ONE, ONE
     while head < tail:
         vertex = queue[head]
         head += 1

@@ -9,8 +9,8 @@ r"""The changes that may make a mesh better, each as a proposal around one node.
     centre        the hexagon of two quads, or the pentagon of a triangle and a quad, around a new node inside
 """
 
-from hullquad.metrics.compiled import compiled
-from hullquad.quads.draft import NODES, Draft, corner_count, corner_of, element_across, node_after
+from hullquad.metrics.compiled import called, woven
+from hullquad.quads.draft import NODES, Draft, corner_count, corner_of, element_across, new_stamp, node_after
 from hullquad.quads.trial import ADDED, REMOVED, Change, add, clear, place, remove
 
 PROPOSALS = 17
@@ -24,17 +24,15 @@ Ring = tuple[int, int, int, int, int, int]
 """Nodes around the two elements of a change, counter-clockwise."""
 
 
-@compiled
+@called
 def propose(made: Draft, wish: Change, node: int, number: int) -> bool:
     """Write a proposal around a node into `wish`; False where there is no such."""
     clear(wish)
     element, kind = made.around[node, number // PROPOSALS], number % PROPOSALS
     if kind <= 1:
         return _rotate(made, wish, element, node, 1 + kind)
-    if kind == 2:
-        return _collapse(made, wish, element, node)
-    if kind == 3:
-        return _collapse(made, wish, element, node_after(made.elements, element, node, 1))
+    if kind <= 3:
+        return _collapse(made, wish, element, node if kind == 2 else node_after(made.elements, element, node, 1))
     if kind == 4:
         return _merge(made, wish, node) if made.counts[node] == 2 else _split(made, wish, element, node)
     if kind <= 9:
@@ -44,7 +42,7 @@ def propose(made: Draft, wish: Change, node: int, number: int) -> bool:
     return centre_pentagon(made, wish, element, node, kind - 12)
 
 
-@compiled
+@called
 def _hexagon(made: Draft, wish: Change, element: int, node: int) -> tuple[bool, Ring]:
     """Ring of the two quads beside the edge that leaves a node, which go; whether there are two."""
     elements = made.elements
@@ -64,7 +62,7 @@ def _hexagon(made: Draft, wish: Change, element: int, node: int) -> tuple[bool, 
     )
 
 
-@compiled
+@woven
 def _rotate(made: Draft, wish: Change, element: int, node: int, steps: int) -> bool:
     """Turn the edge that leaves a node by one or two corners of the hexagon of the two quads beside it."""
     found, ring = _hexagon(made, wish, element, node)
@@ -74,7 +72,7 @@ def _rotate(made: Draft, wish: Change, element: int, node: int, steps: int) -> b
     return found
 
 
-@compiled
+@woven
 def _centre_hexagon(made: Draft, wish: Change, element: int, node: int, first: int) -> bool:
     """Three quads around a new node in the place of two."""
     found, ring = _hexagon(made, wish, element, node)
@@ -90,7 +88,7 @@ def _centre_hexagon(made: Draft, wish: Change, element: int, node: int, first: i
     return True
 
 
-@compiled
+@woven
 def _collapse(made: Draft, wish: Change, element: int, node: int) -> bool:
     """Bring a corner of a quad and the one opposite together."""
     elements = made.elements
@@ -117,7 +115,7 @@ def _collapse(made: Draft, wish: Change, element: int, node: int) -> bool:
     return True
 
 
-@compiled
+@called
 def _add_with(made: Draft, wish: Change, element: int, old: int, new: int) -> None:
     """An element comes that is another one with one node exchanged."""
     row = made.elements[element]
@@ -125,7 +123,7 @@ def _add_with(made: Draft, wish: Change, element: int, old: int, new: int) -> No
     add(wish, new if a == old else a, new if b == old else b, new if c == old else c, new if d == old else d)
 
 
-@compiled
+@woven
 def _merge(made: Draft, wish: Change, node: int) -> bool:
     """Take a node out that only two quads have, which become one."""
     one, other = made.around[node, 0], made.around[node, 1]
@@ -145,7 +143,7 @@ def _merge(made: Draft, wish: Change, node: int) -> bool:
     return True
 
 
-@compiled
+@woven
 def _split(made: Draft, wish: Change, first: int, node: int) -> bool:
     """Split a node along the edge that leaves it in an element and the edge most opposite."""
     count, elements = made.counts[node], made.elements
@@ -174,7 +172,7 @@ def _split(made: Draft, wish: Change, first: int, node: int) -> bool:
     return True
 
 
-@compiled
+@called
 def _pentagon(made: Draft, element: int, node: int) -> tuple[int, int, Ring]:
     """Triangle and other element beside the edge that leaves a node, and their ring from the triangle's tip on.
 
@@ -193,7 +191,7 @@ def _pentagon(made: Draft, element: int, node: int) -> tuple[int, int, Ring]:
     return element, other, (tip, node, far, node_after(elements, other, node, 2), end, -1)
 
 
-@compiled
+@called
 def divide(made: Draft, wish: Change, element: int, node: int, corner: int) -> bool:
     """Join the elements beside the edge that leaves a node and divide them anew, a triangle at a corner of the ring.
 
@@ -215,7 +213,7 @@ def divide(made: Draft, wish: Change, element: int, node: int, corner: int) -> b
     return True
 
 
-@compiled
+@called
 def centre_pentagon(made: Draft, wish: Change, element: int, node: int, corner: int) -> bool:
     """Two quads and a triangle around a new node in the place of a quad and a triangle.
 
@@ -239,49 +237,29 @@ def centre_pentagon(made: Draft, wish: Change, element: int, node: int, corner: 
     return True
 
 
-@compiled
+@woven
 def defect_change(made: Draft, wish: Change) -> int:
     """By how much a change alters the sum over the nodes of (elements around - ideal number) squared."""
-    total = 0
-    for which in range(2):
-        rows = wish.tallies[REMOVED] if which == 0 else wish.tallies[ADDED]
-        for number in range(rows):
-            for corner in range(4):
-                node = _corner_node(made, wish, which, number, corner)
-                if node < 0 or _is_counted(made, wish, which, number, corner, node):
-                    continue
-                after = made.counts[node] + _net(made, wish, node)
-                if after == 0:
-                    total -= (made.counts[node] - made.ideal[node]) ** 2
-                elif made.counts[node] == 0:
-                    total += (after - made.ideal[node]) ** 2
-                else:
-                    total += (after - made.ideal[node]) ** 2 - (made.counts[node] - made.ideal[node]) ** 2
+    total, stamp, removed = 0, new_stamp(made), wish.tallies[REMOVED]
+    for number in range(removed + wish.tallies[ADDED]):
+        for corner in range(4):
+            node = (
+                made.elements[wish.removed[number], corner]
+                if number < removed
+                else wish.added[number - removed, corner]
+            )
+            if node < 0 or made.node_stamps[node] == stamp:
+                continue
+            made.node_stamps[node] = stamp
+            after = made.counts[node] + _net(made, wish, node)
+            if after > 0:
+                total += (after - made.ideal[node]) ** 2
+            if made.counts[node] > 0:
+                total -= (made.counts[node] - made.ideal[node]) ** 2
     return total
 
 
-@compiled
-def _corner_node(made: Draft, wish: Change, which: int, number: int, corner: int) -> int:
-    if which == 0:
-        return int(made.elements[wish.removed[number], corner])
-    return int(wish.added[number, corner])
-
-
-@compiled
-def _is_counted(made: Draft, wish: Change, which: int, number: int, corner: int, node: int) -> bool:
-    """Whether a node of a change has been met before this corner."""
-    for earlier in range(which + 1):
-        rows = wish.tallies[REMOVED] if earlier == 0 else wish.tallies[ADDED]
-        for row in range(rows if earlier < which else number + 1):
-            for place_ in range(4):
-                if earlier == which and row == number and place_ == corner:
-                    return False
-                if _corner_node(made, wish, earlier, row, place_) == node:
-                    return True
-    return False
-
-
-@compiled
+@woven
 def _net(made: Draft, wish: Change, node: int) -> int:
     """Elements that a node gains or loses by a change."""
     net = 0

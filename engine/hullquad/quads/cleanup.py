@@ -6,13 +6,13 @@ from math import inf
 import numpy as np
 
 from hullquad.arrays import Longs
-from hullquad.metrics.compiled import compiled
+from hullquad.metrics.compiled import compiled, woven
 from hullquad.quads.changes import PROPOSALS, defect_change, propose
-from hullquad.quads.draft import NODES, Draft, corner_count
+from hullquad.quads.draft import NODES, NONE, Draft, corner_count
 from hullquad.quads.energy import element_energy
 from hullquad.quads.log import Log
 from hullquad.quads.stages import States, Step
-from hullquad.quads.trial import ADDED, RINGS, SWEEPS, Change, Ground, attempt, touched
+from hullquad.quads.trial import ADDED, ONE_RING, ROUGHLY, TWO_RINGS, WELL, Change, Ground, attempt, touched
 
 LEAST_GAIN = 0.02
 POOR = 0.5
@@ -29,7 +29,7 @@ _LOOKS = 200
 """
 
 
-@compiled
+@woven
 def _is_suspect(made: Draft, node: int) -> tuple[bool, bool]:
     """Whether a node is worth looking at, and whether an element around it is poor."""
     poor = False
@@ -38,13 +38,13 @@ def _is_suspect(made: Draft, node: int) -> tuple[bool, bool]:
     return poor or made.counts[node] != made.ideal[node], poor
 
 
-@compiled
+@woven
 def _best_change(made: Draft, wish: Change, floor: Ground, node: int, allowance: int) -> tuple[int, float]:
     """The proposal around a node that gains most, -1 where none gains, and its gain."""
-    best, most = -1, LEAST_GAIN
+    best, most = NONE, LEAST_GAIN
     for number in range(PROPOSALS * made.counts[node]):
         if propose(made, wish, node, number) and defect_change(made, wish) <= allowance:
-            gain = attempt(made, wish, floor, 1, 2, inf)
+            gain = attempt(made, wish, floor, ONE_RING, ROUGHLY, inf)
             if gain > most:
                 best, most = number, gain
     return best, most
@@ -76,13 +76,13 @@ def clean_up(
         if due[node] != 0 and made.counts[node] > 0:
             due[node] = 0
             suspect, poor = _is_suspect(made, node)
-            best = -1
+            best = NONE
             if suspect:
                 looks -= 1
                 best, _ = _best_change(made, wish, floor, node, 0 if poor else -1)
             if best >= 0:
                 propose(made, wish, node, best)
-                attempt(made, wish, floor, RINGS, SWEEPS, 0.0)
+                attempt(made, wish, floor, TWO_RINGS, WELL, 0.0)
                 made_changes, at[CHANGES] = made_changes + 1, at[CHANGES] + 1
                 for number in range(wish.tallies[ADDED]):
                     for corner in range(corner_count(made.elements, floor.rows[number])):

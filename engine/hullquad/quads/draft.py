@@ -9,11 +9,14 @@ from typing import NamedTuple
 import numpy as np
 
 from hullquad.arrays import Bools, Floats, Ints, Longs
-from hullquad.metrics.compiled import compiled
+from hullquad.metrics.compiled import called, plain, woven
 from hullquad.quads.stages import compact
 
 NODES, ELEMENTS, STAMP = range(3)
 """Rows of `Draft.tallies`."""
+
+NONE, ZERO, ONE = plain(-1), plain(0), plain(1)
+"""What kernels begin with where a row or a number is still to be found."""
 
 _SPARE = 8
 """Elements that may be added around a node beyond the most that any node has in the beginning."""
@@ -97,7 +100,7 @@ def draft(nodes: Floats, elements: Ints, held: int, rim_ideal: Longs) -> Draft:
     )
     made.nodes[:count], made.elements[:rows] = nodes, elements
     made.ideal[: len(rim_ideal)] = rim_ideal
-    for_each_element(made)
+    _tell_nodes(made, elements)
     return made
 
 
@@ -110,20 +113,23 @@ def finished(made: Draft, given: int) -> tuple[Floats, Ints]:
     return compact(made.nodes, made.element_rows, given)
 
 
-@compiled
-def for_each_element(made: Draft) -> None:
-    """Tell every node the elements around it."""
-    for element in range(made.tallies[ELEMENTS]):
-        attach(made, element)
+def _tell_nodes(made: Draft, elements: Ints) -> None:
+    """Tell every node the elements around it, in order."""
+    owners, corners = np.nonzero(elements >= 0)
+    ends = elements[owners, corners]
+    order = np.argsort(ends, kind="stable")
+    made.counts[:] = np.bincount(ends, minlength=len(made.counts))
+    places = np.arange(len(ends)) - (np.cumsum(made.counts) - made.counts)[ends[order]]
+    made.around[ends[order], places] = owners[order]
 
 
-@compiled
+@called
 def corner_count(elements: Longs, element: int) -> int:
     """3 or 4."""
     return 3 if elements[element, 3] < 0 else 4
 
 
-@compiled
+@called
 def attach(made: Draft, element: int) -> None:
     """Tell the nodes of an element of it."""
     for corner in range(corner_count(made.elements, element)):
@@ -132,7 +138,7 @@ def attach(made: Draft, element: int) -> None:
         made.counts[node] += 1
 
 
-@compiled
+@called
 def detach(made: Draft, element: int) -> None:
     """Take an element from its nodes."""
     for corner in range(corner_count(made.elements, element)):
@@ -145,7 +151,7 @@ def detach(made: Draft, element: int) -> None:
         made.counts[node] = last
 
 
-@compiled
+@called
 def corner_of(elements: Longs, element: int, node: int) -> int:
     """At which place an element has a node, -1 where it has not."""
     for corner in range(corner_count(elements, element)):
@@ -154,14 +160,14 @@ def corner_of(elements: Longs, element: int, node: int) -> int:
     return -1
 
 
-@compiled
+@called
 def node_after(elements: Longs, element: int, node: int, steps: int) -> int:
     """The node so many places after one, counter-clockwise around an element."""
     corners = corner_count(elements, element)
     return int(elements[element, (corner_of(elements, element, node) + steps) % corners])
 
 
-@compiled
+@called
 def element_across(made: Draft, element: int, start: int, end: int) -> int:
     """The element on the other side of an edge that `element` runs from `start` to `end`, -1 on the contour."""
     for place in range(made.counts[end]):
@@ -171,7 +177,7 @@ def element_across(made: Draft, element: int, start: int, end: int) -> int:
     return -1
 
 
-@compiled
+@woven
 def element_with_side(made: Draft, start: int, end: int) -> int:
     """The element that runs an edge from `start` to `end`, -1 where there is none."""
     for place in range(made.counts[start]):
@@ -181,7 +187,7 @@ def element_with_side(made: Draft, start: int, end: int) -> int:
     return -1
 
 
-@compiled
+@called
 def new_stamp(made: Draft) -> int:
     """A stamp that nothing has yet."""
     made.tallies[STAMP] += 1

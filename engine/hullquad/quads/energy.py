@@ -14,8 +14,10 @@ eta^4, minus 1, which weighs bad corners more: that is the energy of an element.
 
 from math import sqrt
 
+import numpy as np
+
 from hullquad.arrays import Floats, Longs
-from hullquad.metrics.compiled import compiled
+from hullquad.metrics.compiled import called, compiled
 
 INVALID = 1e6
 """Energy of an element without area; more where it is inverted."""
@@ -33,7 +35,7 @@ QUAD_SCALE = 2.0
 TRIANGLE_SCALE = 2.0 * sqrt(3.0)
 
 
-@compiled
+@called
 def corner_eta(
     before_x: float, before_y: float, x: float, y: float, after_x: float, after_y: float
 ) -> tuple[float, float]:
@@ -42,7 +44,20 @@ def corner_eta(
     return ux * ux + uy * uy + wx * wx + wy * wy, ux * wy - uy * wx
 
 
+def element_energies(nodes: Floats, elements: Longs) -> Floats:
+    """(E,) energies of elements."""
+    energies = np.empty(len(elements))
+    _measure(nodes, elements, energies)
+    return energies
+
+
 @compiled
+def _measure(nodes: Floats, elements: Longs, energies: Floats) -> None:
+    for element in range(len(energies)):
+        energies[element] = element_energy(nodes, elements, element)
+
+
+@called
 def element_energy(nodes: Floats, elements: Longs, element: int) -> float:
     """Energy of an element; at least `INVALID` where it is not valid."""
     if elements[element, 3] < 0:
@@ -50,7 +65,7 @@ def element_energy(nodes: Floats, elements: Longs, element: int) -> float:
     return quad_energy(nodes, elements[element, 0], elements[element, 1], elements[element, 2], elements[element, 3])
 
 
-@compiled
+@called
 def _triangle_energy(nodes: Floats, a: int, b: int, c: int) -> float:
     """Energy of the triangle a, b, c."""
     squares, jacobian = corner_eta(nodes[c, 0], nodes[c, 1], nodes[a, 0], nodes[a, 1], nodes[b, 0], nodes[b, 1])
@@ -61,7 +76,7 @@ def _triangle_energy(nodes: Floats, a: int, b: int, c: int) -> float:
     return min((eta * eta) ** 2 - 1.0 + TRIANGLE, MOST)
 
 
-@compiled
+@called
 def quad_energy(nodes: Floats, a: int, b: int, c: int, d: int) -> float:
     """Energy of the quad a, b, c, d."""
     total, least = 0.0, 1.0

@@ -16,7 +16,8 @@ import attrs
 import numpy as np
 
 from hullquad.arrays import Bools, Floats, Longs, longs
-from hullquad.metrics.compiled import compiled
+from hullquad.metrics.compiled import called, compiled, woven
+from hullquad.quads.draft import ZERO
 from hullquad.quads.pairs import Pairs
 
 _SAME_LEVEL_BONUS = 0.25
@@ -41,12 +42,13 @@ def front(pairs: Pairs) -> Iterator[Join]:
     if len(pairs.triangles) == 0:
         return
     log = np.empty((len(pairs.triangles) // 2, 2), dtype=np.int64)
-    count = _advance(longs(pairs.neighbours), longs(pairs.pair_across), pairs.scores, pairs.at_rim, log)
+    levels, free = np.where(pairs.at_rim, 0, _UNREACHED), np.ones(len(pairs.triangles), dtype=np.bool_)
+    count = _advance(longs(pairs.neighbours), longs(pairs.pair_across), pairs.scores, levels, free, log)
     for pair, level in log[:count].tolist():
         yield Join(joined=(pair,), level=level)
 
 
-@compiled
+@called
 def _partners(triangle: int, neighbours: Longs, pair_across: Longs, free: Bools) -> int:
     """Number of free triangles that this one could be joined with."""
     count = 0
@@ -56,7 +58,7 @@ def _partners(triangle: int, neighbours: Longs, pair_across: Longs, free: Bools)
     return count
 
 
-@compiled
+@called
 def _key(
     triangle: int, levels: Longs, neighbours: Longs, pair_across: Longs, scores: Floats, free: Bools
 ) -> tuple[int, int, float, int]:
@@ -70,7 +72,7 @@ def _key(
     return levels[triangle], count if count > 0 else _NO_PARTNER, -best, triangle
 
 
-@compiled
+@woven
 def _isolated(one: int, other: int, neighbours: Longs, pair_across: Longs, free: Bools) -> int:
     """How many free neighbours of the two would have no partner left if these two were joined."""
     count = 0
@@ -84,7 +86,7 @@ def _isolated(one: int, other: int, neighbours: Longs, pair_across: Longs, free:
     return count
 
 
-@compiled
+@woven
 def _chosen_side(
     triangle: int, levels: Longs, neighbours: Longs, pair_across: Longs, scores: Floats, free: Bools
 ) -> int:
@@ -103,14 +105,12 @@ def _chosen_side(
 
 
 @compiled
-def _advance(neighbours: Longs, pair_across: Longs, scores: Floats, at_rim: Bools, log: Longs) -> int:
+def _advance(neighbours: Longs, pair_across: Longs, scores: Floats, levels: Longs, free: Bools, log: Longs) -> int:
     """Pair and level of every join into `log`; the number of joins."""
     count = 0
-    free = np.ones(len(neighbours), dtype=np.bool_)
-    levels = np.where(at_rim, 0, _UNREACHED).astype(np.int64)
-    heap = [_key(0, levels, neighbours, pair_across, scores, free)]
+    heap = [_key(ZERO, levels, neighbours, pair_across, scores, free)]
     for triangle in range(1, len(neighbours)):
-        if at_rim[triangle]:
+        if levels[triangle] == 0:
             heappush(heap, _key(triangle, levels, neighbours, pair_across, scores, free))
     while len(heap) > 0:
         taken = heappop(heap)

@@ -9,7 +9,7 @@ from hullquad.arrays import Bools, Floats, Ints, Longs, ints
 from hullquad.quads.cleanup import cleaned
 from hullquad.quads.cost import cost, least_cost
 from hullquad.quads.draft import Draft, draft, finished
-from hullquad.quads.energy import INVALID, quad_energy
+from hullquad.quads.energy import INVALID, element_energies
 from hullquad.quads.inwards import inwards
 from hullquad.quads.join import joined_elements
 from hullquad.quads.joining import joined_states
@@ -133,7 +133,8 @@ def _joined(nodes: Floats, triangles: Ints, task: Task, log: Log) -> Generator[S
 def _spoilt(made: Draft) -> set[tuple[int, ...]]:
     """Nodes of the quads that are not valid, sorted."""
     rows = made.element_rows
-    return {tuple(sorted(row)) for row in rows[rows[:, 3] >= 0].tolist() if quad_energy(made.nodes, *row) >= INVALID}
+    is_spoilt = (rows[:, 3] >= 0) & (element_energies(made.nodes, rows) >= INVALID)
+    return {tuple(sorted(row)) for row in rows[is_spoilt].tolist()}
 
 
 def _cuts(possible: Pairs, chosen: list[int], spoilt: set[tuple[int, ...]]) -> Ints:

@@ -10,7 +10,7 @@ from collections.abc import Generator
 import numpy as np
 
 from hullquad.arrays import Bools, Floats, Longs, longs
-from hullquad.metrics.compiled import compiled
+from hullquad.metrics.compiled import called, compiled, woven
 from hullquad.quads.augment import augment
 from hullquad.quads.front import front
 from hullquad.quads.pairs import Pairs
@@ -68,19 +68,21 @@ def improved(
     mates = np.full(len(pairs.triangles), -1)
     for one, other in pairs.members[sorted(joined)].tolist():
         mates[one], mates[other] = other, one
-    across = longs(pairs.pair_across)
-    neighbours, visited = longs(pairs.neighbours), np.zeros(len(mates), dtype=np.bool_)
+    neighbours, across = longs(pairs.neighbours), longs(pairs.pair_across)
+    visited, sums = np.zeros(len(mates), dtype=np.bool_), np.zeros(DEPTH + 1)
+    ways = np.zeros((3, 2 * DEPTH + 3), dtype=np.int64)
     gains = True
     while gains:
         gains = False
         for start in range(0, len(mates), _STARTS):
-            gains |= _improve(neighbours, across, weights, single_weights, mates, visited, start, start + _STARTS)
+            end = min(start + _STARTS, len(mates))
+            gains |= _improve(neighbours, across, weights, single_weights, mates, visited, sums, ways, start, end)
             yield
     triangle, side = np.nonzero((pairs.neighbours == mates[:, None]) & (pairs.pair_across >= 0))
     return set(across[triangle, side].tolist())
 
 
-@compiled
+@called
 def _pair_weight(one: int, other: int, neighbours: Longs, across: Longs, weights: Floats) -> float:
     for side in range(3):
         if neighbours[one, side] == other and across[one, side] >= 0:
@@ -88,7 +90,7 @@ def _pair_weight(one: int, other: int, neighbours: Longs, across: Longs, weights
     return -1.0
 
 
-@compiled
+@woven
 def _better_way(
     start: int,
     neighbours: Longs,
@@ -97,6 +99,8 @@ def _better_way(
     single_weights: Floats,
     mates: Longs,
     visited: Bools,
+    gains: Floats,
+    sides: Longs,
     path: Longs,
     best_path: Longs,
 ) -> int:
@@ -105,9 +109,9 @@ def _better_way(
     Depth first: from a triangle over an unpaired edge to the next, and to the mate of that one. A way from a paired
     triangle must come back to its mate; a way from a single one may end anywhere, leaving another one single.
     """
-    gains, sides = np.zeros(DEPTH + 1), np.zeros(DEPTH + 1, dtype=np.int64)
     mate, length, best, depth = mates[start], 0, _LEAST, 0
     single = mate < 0
+    sides[0] = 0
     gains[0] = -single_weights[start] if single else -_pair_weight(start, mate, neighbours, across, weights)
     path[0] = start
     visited[start] = True
@@ -129,7 +133,8 @@ def _better_way(
             if gain > best:
                 best, length = gain, 2 * depth + 2
                 path[2 * depth + 1] = near
-                best_path[:length] = path[:length]
+                for place in range(length):
+                    best_path[place] = path[place]
             continue
         far = mates[near]
         if far < 0 or visited[far]:
@@ -138,7 +143,8 @@ def _better_way(
         path[2 * depth + 1], path[2 * depth + 2] = near, far
         if single and gain + single_weights[far] > best:
             best, length = gain + single_weights[far], 2 * depth + 3
-            best_path[:length] = path[:length]
+            for place in range(length):
+                best_path[place] = path[place]
         depth += 1
         visited[near] = visited[far] = True
         gains[depth], sides[depth] = gain, 0
@@ -153,14 +159,18 @@ def _improve(
     single_weights: Floats,
     mates: Longs,
     visited: Bools,
+    gains: Floats,
+    ways: Longs,
     first: int,
     end: int,
 ) -> bool:
     """Change partners along circles and paths that start at some of the triangles; whether any gained."""
-    path, best_path = np.zeros(2 * DEPTH + 3, dtype=np.int64), np.zeros(2 * DEPTH + 3, dtype=np.int64)
+    sides, path, best_path = ways[0], ways[1], ways[2]
     gained = False
-    for start in range(first, min(end, len(mates))):
-        length = _better_way(start, neighbours, across, weights, single_weights, mates, visited, path, best_path)
+    for start in range(first, end):
+        length = _better_way(
+            start, neighbours, across, weights, single_weights, mates, visited, gains, sides, path, best_path
+        )
         for place in range(0, length - 1, 2):
             one, other = best_path[place], best_path[place + 1]
             mates[one], mates[other] = other, one

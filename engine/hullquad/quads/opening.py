@@ -15,12 +15,23 @@ The elements to the right of the path get the new nodes. One element more for ea
 
 from math import hypot
 
-import numpy as np
-
 from hullquad.arrays import Longs
-from hullquad.metrics.compiled import compiled
+from hullquad.metrics.compiled import called, woven
 from hullquad.quads.draft import NODES, Draft, corner_count, corner_of, element_across, node_after
-from hullquad.quads.trial import ADDED, NEVER, REMOVED, Change, Ground, add, attempt, clear, place, remove
+from hullquad.quads.trial import (
+    ADDED,
+    FULLY,
+    NEVER,
+    REMOVED,
+    TWO_RINGS,
+    Change,
+    Ground,
+    add,
+    attempt,
+    clear,
+    place,
+    remove,
+)
 
 LONGEST = 5
 """Nodes of a path."""
@@ -28,26 +39,26 @@ _APART = 0.22
 """How far old and new node go to either side, over the mean length of the edges there."""
 
 
-@compiled
+@woven
 def opened(made: Draft, wish: Change, floor: Ground, one: int, other: int, least: float) -> float:
     """Gain of opening the shortest path between two triangles, kept if above the least; below `NEVER` without one."""
-    path = np.zeros(LONGEST, dtype=np.int64)
-    count = _path(made, one, other, path)
+    path = floor.search[3]
+    count = _path(made, floor, one, other, path)
     if count == 0 or not _propose(made, wish, one, other, path, count):
         return 2.0 * NEVER
-    return attempt(made, wish, floor, 2, 8, least)
+    return attempt(made, wish, floor, TWO_RINGS, FULLY, least)
 
 
-@compiled
-def _path(made: Draft, one: int, other: int, path: Longs) -> int:
+@woven
+def _path(made: Draft, floor: Ground, one: int, other: int, path: Longs) -> int:
     """Free nodes from one triangle to another along edges; their number, 0 if there is no short way."""
-    parents = np.full(made.tallies[NODES], -2)
-    queue, depths = np.empty(made.tallies[NODES], dtype=np.int64), np.zeros(made.tallies[NODES], dtype=np.int64)
+    parents, queue, depths = floor.search[0], floor.search[1], floor.search[2]
+    parents[:] = -2
     head, tail = 0, 0
     for corner in range(3):
         node = made.elements[one, corner]
         if not made.held[node]:
-            parents[node], queue[tail] = -1, node
+            parents[node], depths[node], queue[tail] = -1, 0, node
             tail += 1
     while head < tail:
         node = queue[head]
@@ -68,7 +79,7 @@ def _path(made: Draft, one: int, other: int, path: Longs) -> int:
     return 0
 
 
-@compiled
+@woven
 def _propose(made: Draft, wish: Change, one: int, other: int, path: Longs, count: int) -> bool:
     """Write the opening of a path into `wish`; False where the path touches itself."""
     clear(wish)
@@ -91,7 +102,7 @@ def _propose(made: Draft, wish: Change, one: int, other: int, path: Longs, count
     return True
 
 
-@compiled
+@woven
 def _rename_right(made: Draft, wish: Change, one: int, other: int, path: Longs, count: int, i: int, new: int) -> bool:
     """Give the new node to the elements on the right of the path at its i-th node."""
     node, elements = path[i], made.elements
@@ -115,14 +126,14 @@ def _rename_right(made: Draft, wish: Change, one: int, other: int, path: Longs, 
     return False
 
 
-@compiled
+@called
 def _next_around(made: Draft, element: int, node: int) -> int:
     """The next element counter-clockwise around a node."""
     last = node_after(made.elements, element, node, corner_count(made.elements, element) - 1)
     return element_across(made, element, last, node)
 
 
-@compiled
+@woven
 def _renamed(made: Draft, wish: Change, element: int, old: int, new: int) -> bool:
     """Exchange a node of an element, which may have been changed by this proposal before."""
     row = -1
@@ -142,7 +153,7 @@ def _renamed(made: Draft, wish: Change, element: int, old: int, new: int) -> boo
     return True
 
 
-@compiled
+@woven
 def _spread(made: Draft, wish: Change, path: Longs, count: int, i: int, new: int, one: int, other: int) -> None:
     """Put the i-th node of the path to its left and its new twin to its right."""
     node = path[i]
@@ -158,7 +169,7 @@ def _spread(made: Draft, wish: Change, path: Longs, count: int, i: int, new: int
     place(wish, new, x + share * way_y, y - share * way_x)
 
 
-@compiled
+@called
 def _before(made: Draft, node: int, triangle: int) -> tuple[float, float]:
     """Where a node is, or the middle of a triangle at the end of a path."""
     if node >= 0:

@@ -6,13 +6,13 @@ import numpy as np
 
 from hullquad.arrays import Longs
 from hullquad.metrics.compiled import compiled
-from hullquad.quads.draft import ELEMENTS, Draft
-from hullquad.quads.energy import element_energy
+from hullquad.quads.draft import ONE, Draft
+from hullquad.quads.energy import element_energies
 from hullquad.quads.log import Log
 from hullquad.quads.opening import opened
 from hullquad.quads.stages import States, Step
 from hullquad.quads.trial import NEVER, Change, Ground
-from hullquad.quads.walk import DETOURS, GOING_ON, JOINED, distances_to, walk
+from hullquad.quads.walk import DETOURS, GOING_ON, JOINED, LOST, distances_to, walk
 
 _LONGEST_WALK = 400
 _STEPS = 20
@@ -27,7 +27,7 @@ def repaired(made: Draft, wish: Change, floor: Ground, unavoidable: int, log: Lo
     """
     tried: set[tuple[int, int]] = set()
     while len(triangles := made.triangles) > unavoidable:
-        found = zip(_partners(made, triangles).tolist(), triangles.tolist(), strict=True)
+        found = zip(_partners(made, floor, triangles).tolist(), triangles.tolist(), strict=True)
         ways = sorted((distance, one, other) for (other, distance), one in found if other >= 0)
         pair = next(((one, other) for _, one, other in ways if (one, other) not in tried), None)
         if pair is None:
@@ -50,7 +50,7 @@ def _united(made: Draft, wish: Change, floor: Ground, one: int, other: int) -> G
     )
     for way in ways:
         if (yield from way):
-            energy = _total_energy(made)
+            energy = float(element_energies(made.nodes, made.element_rows).sum())
             if energy < lowest:
                 best, lowest = made.copied(), energy
         made.restore(before)
@@ -62,7 +62,7 @@ def _united(made: Draft, wish: Change, floor: Ground, one: int, other: int) -> G
 def _walked(made: Draft, wish: Change, floor: Ground, one: int, other: int) -> Generator[None, None, bool]:
     at = np.array([one, other, DETOURS])
     for _ in range(_LONGEST_WALK // _STEPS):
-        outcome = walk(made, wish, floor, at, _STEPS)
+        outcome = _go_on(made, wish, floor, at, _STEPS)
         if outcome != GOING_ON:
             return bool(outcome == JOINED)
         yield
@@ -70,28 +70,29 @@ def _walked(made: Draft, wish: Change, floor: Ground, one: int, other: int) -> G
 
 
 def _opened(made: Draft, wish: Change, floor: Ground, one: int, other: int) -> Generator[None, None, bool]:
-    is_open = opened(made, wish, floor, one, other, NEVER) > NEVER
+    is_open = bool(_go_on(made, wish, floor, np.array([one, other, 0]), 0) == JOINED)
     yield
     return is_open
 
 
 @compiled
-def _total_energy(made: Draft) -> float:
-    """Energy of all elements."""
-    total = 0.0
-    for element in range(made.tallies[ELEMENTS]):
-        if made.elements[element, 0] >= 0:
-            total += element_energy(made.nodes, made.elements, element)
-    return total
+def _go_on(made: Draft, wish: Change, floor: Ground, at: Longs, steps: int) -> int:
+    """Let a triangle walk on towards another one; without steps the path between them is opened."""
+    if steps > 0:
+        return walk(made, wish, floor, at, steps)
+    return JOINED if opened(made, wish, floor, at[0], at[1], NEVER) > NEVER else LOST
+
+
+def _partners(made: Draft, floor: Ground, triangles: Longs) -> Longs:
+    """(T, 2) nearest other triangle of each triangle and its distance, -1 where there is none in reach."""
+    found = np.full((len(triangles), 2), -1)
+    _find_partners(made, triangles, found, floor.search[0], floor.search[1])
+    return found
 
 
 @compiled
-def _partners(made: Draft, triangles: Longs) -> Longs:
-    """(T, 2) nearest other triangle of each triangle and its distance, -1 where there is none in reach."""
-    found = np.full((len(triangles), 2), -1)
-    distances, queue = np.empty(len(made.elements), dtype=np.int64), np.empty(len(made.elements), dtype=np.int64)
+def _find_partners(made: Draft, triangles: Longs, found: Longs, distances: Longs, queue: Longs) -> None:
     for i in range(len(triangles)):
-        nearest = distances_to(made, triangles[i], distances, queue, 1)
+        nearest = distances_to(made, triangles[i], distances, queue, ONE)
         if nearest >= 0:
             found[i, 0], found[i, 1] = nearest, distances[nearest]
-    return found

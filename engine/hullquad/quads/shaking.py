@@ -13,10 +13,10 @@ from hullquad.metrics.compiled import compiled
 from hullquad.quads.changes import PROPOSALS, propose
 from hullquad.quads.cleanup import EVERY, clean_up
 from hullquad.quads.draft import ELEMENTS, Draft, corner_count
-from hullquad.quads.energy import element_energy
+from hullquad.quads.energy import element_energies, element_energy
 from hullquad.quads.log import Log
 from hullquad.quads.stages import States, Step
-from hullquad.quads.trial import ADDED, ELEMENT, Change, Ground, attempt
+from hullquad.quads.trial import ADDED, ELEMENT, TWO_RINGS, WELL, Change, Ground, attempt
 
 DEAREST = -3.0
 """Least gain of a change that is tried."""
@@ -65,7 +65,7 @@ def _kicked(made: Draft, wish: Change, floor: Ground, draw: Longs, due: Longs) -
     node = made.elements[element, draw[3] % corner_count(made.elements, element)]
     if not propose(made, wish, node, draw[4] % (PROPOSALS * made.counts[node])):
         return False
-    if attempt(made, wish, floor, 2, 4, DEAREST) <= DEAREST:
+    if attempt(made, wish, floor, TWO_RINGS, WELL, DEAREST) <= DEAREST:
         return False
     due[:] = 0
     for row in range(wish.tallies[ADDED]):
@@ -74,11 +74,7 @@ def _kicked(made: Draft, wish: Change, floor: Ground, draw: Longs, due: Longs) -
     return True
 
 
-@compiled
 def _price(made: Draft) -> float:
     """Energy of all elements, and what they cost by their number."""
-    total = 0.0
-    for element in range(made.tallies[ELEMENTS]):
-        if made.elements[element, 0] >= 0:
-            total += element_energy(made.nodes, made.elements, element) + ELEMENT
-    return total
+    energies = element_energies(made.nodes, made.element_rows)
+    return float(energies.sum()) + ELEMENT * len(energies)

@@ -10,7 +10,7 @@ from math import cos, inf, pi, sin, sqrt
 import numpy as np
 
 from hullquad.arrays import Floats, Longs
-from hullquad.metrics.compiled import compiled
+from hullquad.metrics.compiled import called, compiled, woven
 from hullquad.quads.draft import NODES, Draft, corner_count, corner_of
 from hullquad.quads.energy import FLAT, QUAD_SCALE, TRIANGLE_SCALE, corner_eta
 from hullquad.quads.log import Log
@@ -30,7 +30,7 @@ Terms = tuple[float, float, float, float, float, float]
 _NOWHERE = (inf, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
-@compiled
+@called
 def _term(
     squares: float, sx: float, sy: float, curvature: float, jacobian: float, jx: float, jy: float, scale: float
 ) -> Terms:
@@ -52,7 +52,7 @@ def _term(
     )
 
 
-@compiled
+@woven
 def _star_energy(made: Draft, node: int, x: float, y: float) -> float:
     """Energy of the elements around a node if it were at (x, y); infinite where one of them is not valid."""
     total, nodes, elements = 0.0, made.nodes, made.elements
@@ -79,7 +79,7 @@ def _star_energy(made: Draft, node: int, x: float, y: float) -> float:
     return total
 
 
-@compiled
+@called
 def _derivatives(made: Draft, node: int) -> Terms:
     """Energy of the elements around a node where it is, with its derivatives; infinite where one is not valid."""
     f, gx, gy, xx, xy, yy = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
@@ -120,7 +120,7 @@ def _derivatives(made: Draft, node: int) -> Terms:
     return f, gx, gy, xx, xy, yy
 
 
-@compiled
+@called
 def _worst_corner(made: Draft, node: int, x: float, y: float) -> float:
     """Least J over squared edges of the corners that move with a node, if it were at (x, y)."""
     least, nodes, elements = 1.0, made.nodes, made.elements
@@ -141,7 +141,7 @@ def _worst_corner(made: Draft, node: int, x: float, y: float) -> float:
     return least
 
 
-@compiled
+@woven
 def _untangle(made: Draft, node: int) -> float:
     """Move a node to where the worst corner around it is best, by a search in eight directions; how far it went."""
     nodes, elements = made.nodes, made.elements
@@ -171,7 +171,7 @@ def _untangle(made: Draft, node: int) -> float:
     return sqrt((x - start_x) ** 2 + (y - start_y) ** 2)
 
 
-@compiled
+@called
 def relax_node(made: Draft, node: int) -> float:
     """Move a free node to where the energy around it is less; how far it went [mm]."""
     x, y = made.nodes[node, 0], made.nodes[node, 1]
@@ -194,9 +194,9 @@ def relax_node(made: Draft, node: int) -> float:
     return 0.0
 
 
-@compiled
+@woven
 def relax(made: Draft, chosen: Longs, count: int, sweeps: int, tolerance: float) -> None:
-    """Move the first `count` of the chosen nodes, again and again, until none goes farther than the tolerance [mm]."""
+    """Move the first `count` of the chosen nodes, there and back, until none goes farther than the tolerance [mm]."""
     for sweep in range(sweeps):
         farthest = 0.0
         for i in range(count):

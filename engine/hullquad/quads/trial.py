@@ -9,8 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from hullquad.arrays import Floats, Longs
-from hullquad.metrics.compiled import compiled
-from hullquad.quads.draft import ELEMENTS, NODES, Draft, attach, corner_count, detach, new_stamp
+from hullquad.metrics.compiled import called, plain, woven
+from hullquad.quads.draft import ELEMENTS, NODES, ZERO, Draft, attach, corner_count, detach, new_stamp
 from hullquad.quads.energy import INVALID, element_energy
 from hullquad.quads.smoothing import relax
 
@@ -23,8 +23,11 @@ _MOST = 64
 ELEMENT = 0.06
 """What an element costs beside its energy: of two equally good meshes the one with fewer elements is better."""
 
-RINGS = 2
-SWEEPS = 4
+ONE_RING, TWO_RINGS = plain(1), plain(2)
+"""Elements around a change that are smoothed with it."""
+
+ROUGHLY, FAIRLY, WELL, FULLY = plain(2), plain(3), plain(4), plain(8)
+"""Sweeps of that smoothing."""
 
 NEVER = -1e12
 """Gain of a change that cannot be."""
@@ -49,8 +52,6 @@ class Ground(NamedTuple):
 
     region: Longs
     """(C,) nodes that are smoothed."""
-    touched: Longs
-    """(M,) elements that a smoothed node may change."""
     places: Floats
     """(C, 2) where the nodes of the region were."""
     rows: Longs
@@ -59,6 +60,8 @@ class Ground(NamedTuple):
     """(64, 4) elements that went."""
     size: Longs
     """(1,) number of nodes in the region of the last trial."""
+    search: Longs
+    """(4, max(C, M)) room for what a search along edges or over elements has to remember."""
 
 
 def change() -> Change:
@@ -76,11 +79,11 @@ def ground(made: Draft) -> Ground:
     """Room for trials on a draft."""
     return Ground(
         np.zeros(len(made.nodes), dtype=np.int64),
-        np.zeros(len(made.elements), dtype=np.int64),
         np.zeros_like(made.nodes),
         np.zeros(_MOST, dtype=np.int64),
         np.zeros((_MOST, 4), dtype=np.int64),
         np.zeros(1, dtype=np.int64),
+        np.zeros((4, max(len(made.nodes), len(made.elements))), dtype=np.int64),
     )
 
 
@@ -90,20 +93,20 @@ def touched(wish: Change, floor: Ground) -> tuple[Longs, Longs]:
     return np.unique(rows), floor.region[: floor.size[0]]
 
 
-@compiled
+@called
 def clear(wish: Change) -> None:
     """Make a change empty."""
     wish.tallies[:] = 0
 
 
-@compiled
+@called
 def remove(wish: Change, element: int) -> None:
     """An element goes."""
     wish.removed[wish.tallies[REMOVED]] = element
     wish.tallies[REMOVED] += 1
 
 
-@compiled
+@called
 def add(wish: Change, a: int, b: int, c: int, d: int) -> None:
     """An element comes; a triangle has -1 as its last node."""
     row = wish.added[wish.tallies[ADDED]]
@@ -111,7 +114,7 @@ def add(wish: Change, a: int, b: int, c: int, d: int) -> None:
     wish.tallies[ADDED] += 1
 
 
-@compiled
+@called
 def place(wish: Change, node: int, x: float, y: float) -> None:
     """A node is put somewhere."""
     number = wish.tallies[PLACED]
@@ -120,7 +123,7 @@ def place(wish: Change, node: int, x: float, y: float) -> None:
     wish.tallies[PLACED] += 1
 
 
-@compiled
+@woven
 def is_possible(made: Draft, wish: Change) -> bool:
     """Whether there is room for a change, and no element of it has a node twice."""
     added, removed = wish.tallies[ADDED], wish.tallies[REMOVED]
@@ -131,7 +134,7 @@ def is_possible(made: Draft, wish: Change) -> bool:
             return False
     for number in range(added):
         a, b, c, d = wish.added[number, 0], wish.added[number, 1], wish.added[number, 2], wish.added[number, 3]
-        if a in (b, c, d) or b in (c, d) or c == d:
+        if a == b or a == c or a == d or b == c or b == d or c == d:  # noqa: PLR1714, SIM109  compiles sooner than `in`
             return False
         for corner in range(4):
             node = wish.added[number, corner]
@@ -140,7 +143,7 @@ def is_possible(made: Draft, wish: Change) -> bool:
     return True
 
 
-@compiled
+@woven
 def _grow(made: Draft, region: Longs, count: int, rings: int, stamp: int) -> int:
     """Add the nodes within so many rings of elements to a region of stamped nodes; its new number of nodes."""
     start = 0
@@ -160,10 +163,10 @@ def _grow(made: Draft, region: Longs, count: int, rings: int, stamp: int) -> int
     return count
 
 
-@compiled
+@woven
 def _region(made: Draft, wish: Change, floor: Ground, rings: int) -> int:
     """Nodes of a change and those around it; their number."""
-    stamp, count = new_stamp(made), 0
+    stamp, count = new_stamp(made), ZERO
     for number in range(wish.tallies[REMOVED]):
         element = wish.removed[number]
         for corner in range(corner_count(made.elements, element)):
@@ -182,7 +185,7 @@ def _region(made: Draft, wish: Change, floor: Ground, rings: int) -> int:
     return count
 
 
-@compiled
+@called
 def _energy_around(made: Draft, floor: Ground, nodes: int) -> tuple[float, bool]:
     """Energy of all elements at the region's nodes, and whether all are valid."""
     stamp, total, valid = new_stamp(made), 0.0, True
@@ -198,13 +201,14 @@ def _energy_around(made: Draft, floor: Ground, nodes: int) -> tuple[float, bool]
     return total, valid
 
 
-@compiled
+@woven
 def _applied(made: Draft, wish: Change, floor: Ground) -> None:
     """Carry out a change, remembering the elements that go."""
     removed, added = wish.tallies[REMOVED], wish.tallies[ADDED]
     for number in range(removed):
         element = wish.removed[number]
-        floor.old[number] = made.elements[element]
+        for corner in range(4):
+            floor.old[number, corner] = made.elements[element, corner]
         detach(made, element)
         made.elements[element, 0] = -1
     for number in range(added):
@@ -212,29 +216,32 @@ def _applied(made: Draft, wish: Change, floor: Ground) -> None:
         if number >= removed:
             made.tallies[ELEMENTS] += 1
         floor.rows[number] = row
-        made.elements[row] = wish.added[number]
+        for corner in range(4):
+            made.elements[row, corner] = wish.added[number, corner]
         attach(made, row)
     for number in range(wish.tallies[PLACED]):
         node = wish.placed[number]
         made.tallies[NODES] = max(made.tallies[NODES], node + 1)
-        made.nodes[node] = wish.places[number]
+        made.nodes[node, 0], made.nodes[node, 1] = wish.places[number, 0], wish.places[number, 1]
 
 
-@compiled
+@woven
 def _taken_back(made: Draft, wish: Change, floor: Ground, nodes: int, node_rows: int, element_rows: int) -> None:
     """Undo a change and the smoothing after it."""
     for number in range(wish.tallies[ADDED]):
         detach(made, floor.rows[number])
         made.elements[floor.rows[number], 0] = -1
     for number in range(wish.tallies[REMOVED]):
-        made.elements[wish.removed[number]] = floor.old[number]
+        for corner in range(4):
+            made.elements[wish.removed[number], corner] = floor.old[number, corner]
         attach(made, wish.removed[number])
     for i in range(nodes):
-        made.nodes[floor.region[i]] = floor.places[i]
+        node = floor.region[i]
+        made.nodes[node, 0], made.nodes[node, 1] = floor.places[i, 0], floor.places[i, 1]
     made.tallies[NODES], made.tallies[ELEMENTS] = node_rows, element_rows
 
 
-@compiled
+@called
 def attempt(made: Draft, wish: Change, floor: Ground, rings: int, sweeps: int, least: float) -> float:
     """Gain of a change after smoothing; it is kept if that is above the least, with `inf` never."""
     if not is_possible(made, wish):
@@ -243,7 +250,7 @@ def attempt(made: Draft, wish: Change, floor: Ground, rings: int, sweeps: int, l
     count = _region(made, wish, floor, rings)
     floor.size[0] = count
     for i in range(count):
-        floor.places[i] = made.nodes[floor.region[i]]
+        floor.places[i, 0], floor.places[i, 1] = made.nodes[floor.region[i], 0], made.nodes[floor.region[i], 1]
     before, _ = _energy_around(made, floor, count)
     _applied(made, wish, floor)
     relax(made, floor.region, count, sweeps, 0.0)

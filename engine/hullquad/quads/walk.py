@@ -14,23 +14,21 @@ Every step is followed by smoothing and chosen by what it costs then; the way as
 
 from math import inf
 
-import numpy as np
-
 from hullquad.arrays import Longs
-from hullquad.metrics.compiled import compiled
+from hullquad.metrics.compiled import called, plain, woven
 from hullquad.quads.changes import centre_pentagon, divide
-from hullquad.quads.draft import Draft, corner_count, element_across, element_with_side
-from hullquad.quads.trial import ADDED, NEVER, Change, Ground, attempt
+from hullquad.quads.draft import NONE, Draft, corner_count, element_across, element_with_side
+from hullquad.quads.trial import ADDED, FAIRLY, FULLY, NEVER, ONE_RING, TWO_RINGS, WELL, Change, Ground, attempt
 
 _STEP_COST = 2.0
 """Energy that one element more on the way outweighs."""
 DETOURS = 4
 """Steps that need not bring the triangle nearer."""
 LOST, JOINED, GOING_ON = range(3)
-_FAR = 1_000_000_000
+_FAR = plain(1_000_000_000)
 
 
-@compiled
+@called
 def distances_to(made: Draft, target: int, distances: Longs, queue: Longs, enough: int) -> int:
     """Steps from every element over edges to a target, through quads only, into `distances`; the nearest triangle.
 
@@ -59,7 +57,7 @@ def distances_to(made: Draft, target: int, distances: Longs, queue: Longs, enoug
     return nearest
 
 
-@compiled
+@woven
 def _distance_of_new(made: Draft, wish: Change, distances: Longs) -> int:
     """Distance that the new triangle of a division would have: over its own sides, or over a new quad beside it."""
     least = _FAR
@@ -73,7 +71,7 @@ def _distance_of_new(made: Draft, wish: Change, distances: Longs) -> int:
     return least
 
 
-@compiled
+@called
 def _step(made: Draft, wish: Change, triangle: int, side: int, corner: int) -> bool:
     """Write one of the nine ways over a side of a triangle into `wish`: four of them as they are, five with a node."""
     node = made.elements[triangle, side]
@@ -82,13 +80,13 @@ def _step(made: Draft, wish: Change, triangle: int, side: int, corner: int) -> b
     return centre_pentagon(made, wish, triangle, node, corner - 5)
 
 
-@compiled
+@woven
 def walk(made: Draft, wish: Change, floor: Ground, at: Longs, steps: int) -> int:
     """Let a triangle walk to another one and join it, or as far as so many steps lead: `LOST`, `JOINED`, `GOING_ON`.
 
     `at` (3,) is the triangle, the other one and the detours that are left. Lost, it leaves the draft spoilt.
     """
-    distances, queue = np.empty(len(made.elements), dtype=np.int64), np.empty(len(made.elements), dtype=np.int64)
+    distances, queue = floor.search[0], floor.search[1]
     triangle, target, detours = at[0], at[1], at[2]
     for _ in range(steps):
         distances_to(made, target, distances, queue, _FAR)
@@ -102,7 +100,7 @@ def walk(made: Draft, wish: Change, floor: Ground, at: Longs, steps: int) -> int
                 return LOST
             triangle, target, slack = target, triangle, 3  # they do not fit here: the other one moves on
             distances_to(made, target, distances, queue, _FAR)
-        best, best_side, best_corner, best_ahead = NEVER, -1, -1, 0
+        best, best_side, best_corner, best_ahead = NEVER, NONE, NONE, 0
         for side in range(3):
             for corner in range(1, 10):
                 if not _step(made, wish, triangle, side, corner):
@@ -110,14 +108,14 @@ def walk(made: Draft, wish: Change, floor: Ground, at: Longs, steps: int) -> int
                 ahead = _distance_of_new(made, wish, distances)
                 if ahead >= distances[triangle] + slack:
                     continue
-                gain = attempt(made, wish, floor, 1, 3, inf)
+                gain = attempt(made, wish, floor, ONE_RING, FAIRLY, inf)
                 if gain > NEVER and gain - _STEP_COST * ahead > best:
                     best, best_side, best_corner = gain - _STEP_COST * ahead, side, corner
                     best_ahead = ahead
         if best_side < 0:
             return LOST
         _step(made, wish, triangle, best_side, best_corner)
-        if attempt(made, wish, floor, 2, 4, NEVER) <= NEVER:
+        if attempt(made, wish, floor, TWO_RINGS, WELL, NEVER) <= NEVER:
             return LOST
         detours -= best_ahead >= distances[triangle]
         triangle = floor.rows[0]
@@ -125,12 +123,12 @@ def walk(made: Draft, wish: Change, floor: Ground, at: Longs, steps: int) -> int
     return GOING_ON
 
 
-@compiled
+@woven
 def _join(made: Draft, wish: Change, floor: Ground, triangle: int, target: int) -> bool:
     """Join two triangles with a common edge."""
     for corner in range(3):
         start, end = made.elements[triangle, corner], made.elements[triangle, (corner + 1) % 3]
         if element_across(made, triangle, start, end) == target:
             divide(made, wish, triangle, start, 0)
-            return attempt(made, wish, floor, 2, 8, NEVER) > NEVER
+            return attempt(made, wish, floor, TWO_RINGS, FULLY, NEVER) > NEVER
     return False

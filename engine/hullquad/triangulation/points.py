@@ -11,7 +11,7 @@ from math import atan2, cos, floor, hypot, inf, pi, sin
 import numpy as np
 
 from hullquad.arrays import Floats, Longs, floats, longs
-from hullquad.metrics.compiled import compiled
+from hullquad.metrics.compiled import called, compiled, woven
 from hullquad.triangulation.field import Field
 
 SPACING = 0.75
@@ -62,6 +62,7 @@ def aligned_points(given: Floats, segments: Longs, guide: Field, size: float, sp
         longs(np.searchsorted(cells[:, 0], np.arange(across * up + 1))),
         heads,
         links,
+        np.full(room, -1),
         guide.seeds,
         floats([low[0], low[1], cell, across, up, spacing, CLEARANCE, guide.grading]),
     )
@@ -89,12 +90,12 @@ def _cells_of(segments: Floats, low: Floats, cell: float, across: int) -> Longs:
     return np.unique(np.stack([row * across + column, rows], axis=1), axis=0)
 
 
-@compiled
+@called
 def _side(ax: float, ay: float, bx: float, by: float, x: float, y: float) -> float:
     return (bx - ax) * (y - ay) - (by - ay) * (x - ax)
 
 
-@compiled
+@called
 def _located(nodes: Floats, triangles: Longs, neighbours: Longs, start: int, x: float, y: float) -> int:
     """Triangle that a point lies in, going there from another one; -1 where the way leaves the plate."""
     here, before = start, -1
@@ -113,7 +114,7 @@ def _located(nodes: Floats, triangles: Longs, neighbours: Longs, start: int, x: 
     return -1
 
 
-@compiled
+@called
 def _local(
     nodes: Floats, triangles: Longs, values: Floats, seeds: Floats, grading: float, triangle: int, x: float, y: float
 ) -> Local:
@@ -125,23 +126,28 @@ def _local(
     area = _side(nodes[a, 0], nodes[a, 1], nodes[b, 0], nodes[b, 1], nodes[c, 0], nodes[c, 1])
     at_a = _side(nodes[b, 0], nodes[b, 1], nodes[c, 0], nodes[c, 1], x, y) / area
     at_b = _side(nodes[c, 0], nodes[c, 1], nodes[a, 0], nodes[a, 1], x, y) / area
-    row = at_a * values[a] + at_b * values[b] + (1.0 - at_a - at_b) * values[c]
-    return atan2(row[1], row[0]) / 4.0, hypot(row[0], row[1]), row[2], row[3], row[4], most
+    at_c = 1.0 - at_a - at_b
+    cosine = at_a * values[a, 0] + at_b * values[b, 0] + at_c * values[c, 0]
+    sine = at_a * values[a, 1] + at_b * values[b, 1] + at_c * values[c, 1]
+    m1 = at_a * values[a, 2] + at_b * values[b, 2] + at_c * values[c, 2]
+    m2 = at_a * values[a, 3] + at_b * values[b, 3] + at_c * values[c, 3]
+    m3 = at_a * values[a, 4] + at_b * values[b, 4] + at_c * values[c, 4]
+    return atan2(sine, cosine) / 4.0, hypot(cosine, sine), m1, m2, m3, most
 
 
-@compiled
+@called
 def _length_along(local: Local, angle: float) -> float:
     """Size in a direction."""
     return min(local[5], local[2] + local[3] * cos(2.0 * angle) + local[4] * sin(2.0 * angle))
 
 
-@compiled
+@woven
 def _turned(angle: float, towards: float) -> float:
     """The arm of a cross nearest to a direction."""
     return angle + 0.5 * pi * floor((towards - angle) / (0.5 * pi) + 0.5)
 
 
-@compiled
+@woven
 def _is_free(nodes: Floats, heads: Longs, links: Longs, grid: Floats, x: float, y: float, local: Local) -> bool:
     """Whether no node is too near to a point."""
     angle, spacing = local[0], grid[5]
@@ -161,7 +167,7 @@ def _is_free(nodes: Floats, heads: Longs, links: Longs, grid: Floats, x: float, 
     return True
 
 
-@compiled
+@woven
 def _is_clear(
     segments: Floats, segment_cells: Longs, first: Longs, grid: Floats, x: float, y: float, distance: float
 ) -> bool:
@@ -195,11 +201,11 @@ def _place(
     first: Longs,
     heads: Longs,
     links: Longs,
+    homes: Longs,
     seeds: Floats,
     grid: Floats,
 ) -> int:
     """Write the points behind the given nodes; the number of all."""
-    homes = np.full(len(nodes), -1)
     for triangle in range(len(triangles)):
         for corner in range(3):
             if triangles[triangle, corner] < given:
