@@ -26,6 +26,7 @@ from hullquad.metrics.expression import (
     cross,
     dot,
     openness,
+    part,
     shrinking,
     shrunk_edge,
 )
@@ -36,11 +37,13 @@ _Item = TypeVar("_Item")
 class Element:
     """Expressions of one quad or triangle, each made when it is first asked for."""
 
-    def __init__(self, count: int, doublings: int | None = None) -> None:
+    def __init__(self, count: int, doublings: int | None = None, *, is_judged: bool = False) -> None:
         self.count = count
         """Number of nodes: 4 or 3."""
         self.doublings = doublings
         """Of the exponent of smooth extremes; None for exact ones."""
+        self.is_judged = is_judged
+        """Whether openness is asked for, which gives some other numbers along; nothing has slopes then."""
         self.points = [Arrow(Op.INPUT, value=node) for node in range(count)]
         self.facing = Arrow(Op.INPUT, value=count)
         """Direction that it must face; zero where only its own sense is known."""
@@ -73,6 +76,8 @@ class Element:
     @cached_property
     def squares(self) -> list[Number]:
         """Squared lengths of the edges."""
+        if self.is_judged:
+            return [part(self.openness, 1 + side) for side in range(self.count)]
         return [side.square for side in self.sides]
 
     @property
@@ -128,6 +133,13 @@ class Element:
     def diagonals(self) -> tuple[Arrow, Arrow]:
         """From a to c and from b to d."""
         return self.sides[0] + self.sides[1], self.sides[1] + self.sides[2]
+
+    @cached_property
+    def squared_diagonals(self) -> list[Number]:
+        """Squared lengths of the diagonals."""
+        if self.is_judged:
+            return [part(self.openness, 5), part(self.openness, 6)]
+        return [diagonal.square for diagonal in self.diagonals]
 
     @cached_property
     def sines(self) -> list[Number]:

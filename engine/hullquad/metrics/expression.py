@@ -7,6 +7,7 @@ where it is above zero.
 
 from collections.abc import Iterable, Sequence
 from enum import IntEnum
+from math import nan
 
 import attrs
 
@@ -24,6 +25,7 @@ class Op(IntEnum):
     ROOT = 6
     LEAST = 7
     GREATEST = 8
+    """Of four."""
     ABSOLUTE = 9
     CHOOSE = 10
     """Second where the first is above zero, else third."""
@@ -46,16 +48,24 @@ class Op(IntEnum):
     """The same of a number and two vectors."""
     CROSS_ADD = 24
     """Vector product of the first two, plus third."""
-    EQUAL = 25
-    """1 where two numbers are equal, else 0. Without slopes."""
+    TIES = 25
+    """Of the four after the first, which are equal to it: 1 over how many, else 0; 0 where none is. Without slopes.
+
+    The share of the second operand; those of the other three follow.
+    """
     SHRINKING_3 = 26
     SHRINKING_4 = 27
     """1 over the largest component of the edges between so many points; 0 where there is none. Without slopes."""
     SHRUNK_EDGE = 28
-    """A number times the way to the second vector from the third. Without slopes."""
+    """A number times the way to the second vector from the third; what is not finite is 0. Without slopes."""
     OPENNESS_3 = 29
     OPENNESS_4 = 30
-    """1 where every corner between so many edges is open and the element faces the first operand, else 0."""
+    """1 where every corner between so many edges is open and the element faces the first operand, else 0.
+
+    The squares of the edges follow, and those of a quad's diagonals. Without slopes.
+    """
+    PART = 31
+    """One of the numbers that follow the operand."""
 
 
 @attrs.frozen(eq=False)
@@ -65,7 +75,7 @@ class Number:
     op: Op
     operands: tuple["Node", ...] = ()
     value: float = 0.0
-    """Of a constant; which one of an input."""
+    """Of a constant; which one of an input or of several numbers."""
 
     def __add__(self, other: "Number | float") -> "Number":
         other = number(other)
@@ -84,10 +94,14 @@ class Number:
     def __mul__(self, other: "Number | float") -> "Number":
         if isinstance(other, Arrow):  # which knows how to be multiplied
             return NotImplemented
-        other = number(other)
-        if self.is_one:
-            return other
-        return self if other.is_one else Number(Op.MULTIPLY, (self, other))
+        first, second = self, number(other)
+        if second.op is Op.CONSTANT:
+            first, second = second, first
+        if first.is_one:
+            return second
+        if first.op is Op.CONSTANT and second.op is Op.NEGATE:
+            return Number(Op.MULTIPLY, (number(-first.value), *second.operands))
+        return Number(Op.MULTIPLY, (first, second))
 
     __rmul__ = __mul__
 
@@ -150,6 +164,10 @@ class Arrow:
 Node = Number | Arrow
 
 
+_NOTHING = Number(Op.CONSTANT, value=nan)
+"""What is equal to no number."""
+
+
 def number(value: Number | float) -> Number:
     """A constant as a number; a number as it is."""
     return value if isinstance(value, Number) else Number(Op.CONSTANT, value=float(value))
@@ -180,13 +198,18 @@ def choice(condition: Number, positive: Number | float, otherwise: Number | floa
     return Number(Op.CHOOSE, (condition, number(positive), number(otherwise)))
 
 
+def part(whole: Number, which: int) -> Number:
+    """One of the numbers, counted from 1, that follow another one."""
+    return Number(Op.PART, (whole,), which)
+
+
 def shrinking(points: Sequence[Arrow]) -> Number:
     """1 over the largest component of the edges between three or four points; 0 where there is none."""
     return Number(Op.SHRINKING_3 if len(points) == 3 else Op.SHRINKING_4, tuple(points))
 
 
 def shrunk_edge(factor: Number, start: Arrow, end: Arrow) -> Arrow:
-    """A number times the way from one point to another."""
+    """A number times the way from one point to another; what is not finite is 0."""
     return Arrow(Op.SHRUNK_EDGE, (factor, end, start))
 
 
@@ -197,17 +220,31 @@ def openness(sides: Sequence[Arrow], facing: Arrow) -> Number:
 
 def lesser(a: Number, b: Number) -> Number:
     """The lesser of two numbers; without slopes."""
-    return Number(Op.LEAST, (a, b))
+    return lowest([a, b])
 
 
-def greater(a: Number, b: Number) -> Number:
-    """The greater of two numbers; without slopes."""
-    return Number(Op.GREATEST, (a, b))
+def lowest(numbers: Sequence[Number]) -> Number:
+    """The least of up to four numbers; without slopes."""
+    return Number(Op.LEAST, (*numbers, *[numbers[-1]] * (4 - len(numbers))))
 
 
-def equal(a: Number, b: Number) -> Number:
-    """1 where two numbers are equal, else 0."""
-    return Number(Op.EQUAL, (a, b))
+def highest(numbers: Sequence[Number]) -> Number:
+    """The greatest of up to four numbers; without slopes."""
+    return Number(Op.GREATEST, (*numbers, *[numbers[-1]] * (4 - len(numbers))))
+
+
+def ties(value: Number, items: Sequence[Number]) -> list[Number]:
+    """Equal shares of those, of up to four numbers, that are a value; 0 of the others."""
+    first = Number(Op.TIES, (value, *items, *[_NOTHING] * (4 - len(items))))
+    return [first, *(part(first, which) for which in range(1, len(items)))]
+
+
+def doubled(value: Number) -> Number:
+    """Twice a number; of a product twice its first factor, which other products may have, too."""
+    if value.op is Op.CONSTANT:
+        return number(2.0 * value.value)
+    first = value.operands[0] if value.op is Op.MULTIPLY else None
+    return Number(Op.MULTIPLY, (doubled(first), *value.operands[1:])) if isinstance(first, Number) else value + value
 
 
 def extreme(value: Number, items: Sequence[Number], slopes: Sequence[Number]) -> Number:
@@ -215,8 +252,9 @@ def extreme(value: Number, items: Sequence[Number], slopes: Sequence[Number]) ->
     return Number(Op.EXTREME, (value, *items, *slopes))
 
 
-def ordered(outputs: Iterable[Node]) -> list[Node]:
-    """All nodes that the outputs are made of, operands first."""
+def ordered(outputs: Iterable[Node], given: Iterable[Node] = ()) -> list[Node]:
+    """All nodes that the outputs are made of, operands first; what is given is not made of anything."""
+    ends = {id(node) for node in given}
     seen: set[int] = set()
     order: list[Node] = []
     pending = [(node, False) for node in reversed(list(outputs))]
@@ -228,5 +266,5 @@ def ordered(outputs: Iterable[Node]) -> list[Node]:
             seen.add(id(node))
             pending.append((node, True))
             operands = node.operands[:1] if node.op is Op.EXTREME else node.operands
-            pending.extend((operand, False) for operand in reversed(operands))
+            pending.extend((operand, False) for operand in reversed(operands) if id(node) not in ends)
     return order

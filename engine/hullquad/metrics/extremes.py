@@ -11,40 +11,32 @@ ones. Numbers whose extreme is not positive have no power mean: they get their e
 """
 
 from collections.abc import Sequence
-from functools import reduce
 
-from hullquad.metrics.expression import Number, choice, equal, extreme, greater, lesser, root
+from hullquad.metrics.expression import Number, choice, extreme, highest, lowest, root, ties
 
 
 def least(items: Sequence[Number], doublings: int | None) -> Number:
     """The least of some numbers, or their power mean with exponent -2^doublings."""
-    low = reduce(lesser, items)
+    low = lowest(items)
     shares = [low.over(item, 1.0) for item in items]
     if doublings is None:
-        return extreme(low, items, _ties(low, items))
+        return extreme(low, items, ties(low, items))
     powers, total, mean_root = _powers(shares, doublings)
     factor = 1.0 / (total * mean_root)
     smooth = [power * share * factor for power, share in zip(powers, shares, strict=True)]
-    return _where_positive(low, low / mean_root, items, _ties(low, items), smooth)
+    return _where_positive(low, low / mean_root, items, ties(low, items), smooth)
 
 
 def greatest(items: Sequence[Number], doublings: int | None) -> Number:
     """The greatest of some numbers, or their power mean with exponent 2^doublings."""
-    high = reduce(greater, items)
+    high = highest(items)
     if doublings is None:
-        return extreme(high, items, _ties(high, items))
+        return extreme(high, items, ties(high, items))
     shares = [item.over(high, 1.0) for item in items]
     powers, total, mean_root = _powers(shares, doublings)
     factor = mean_root / total
     smooth = [power / share * factor for power, share in zip(powers, shares, strict=True)]
-    return _where_positive(high, high * mean_root, items, _ties(high, items), smooth)
-
-
-def _ties(value: Number, items: Sequence[Number]) -> list[Number]:
-    """Equal shares of those that are the extreme."""
-    flags = [equal(value, item) for item in items]
-    share = 1.0 / sum(flags[1:], flags[0])
-    return [flag * share for flag in flags]
+    return _where_positive(high, high * mean_root, items, ties(high, items), smooth)
 
 
 def _powers(shares: Sequence[Number], doublings: int) -> tuple[list[Number], Number, Number]:

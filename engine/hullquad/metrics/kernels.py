@@ -1,112 +1,164 @@
-"""Loops over all elements, compiled: blocks of elements are laid out in rows, and a program is run on them.
-
-`normals` is the direction that elements must face: (1, 3) for a plane, (E, 3) one for each element, or a zero
-row where an element's own sense is all that is known. `areas` is (2,): what sizes of quads and of triangles are
-relative to.
-"""
-
-from math import inf
+"""The loop over all elements, compiled: blocks of elements are laid out in rows, and a program is run on them."""
 
 import numpy as np
+import numpy.typing as npt
 
-from hullquad.arrays import Bools, Floats, Ints, Longs
-from hullquad.metrics.compiled import compiled, inlined
-from hullquad.metrics.machine import put, run
+from hullquad.arrays import Bools, Floats, Ints
+from hullquad.metrics.compiled import compiled, inlined, woven
+from hullquad.metrics.machine import run
 from hullquad.metrics.program import LANES, Program
-from hullquad.metrics.vectors import vector
 
+Lanes = npt.NDArray[np.uint64]
+"""Which elements are worked on side by side."""
+
+_ONE, _AXES, _COORDINATES = np.uint64(1), np.uint64(3), np.uint64(12)  # no place is below 0
+_ROW, _SIDES = np.uint64(LANES), np.uint64(12 * LANES)
+_SMALL, _LARGE = 2.0**-60, 2.0**60
+"""Sizes between which no product of edges is too small or too large for a float."""
 _LINE = 8
 """Numbers in a cache line."""
+_EXPONENT, _GREATEST = np.uint64(52), np.uint64(2046)
+"""Place of the exponent in the bits of a float, and the greatest one."""
 
 
 @compiled
 def judge(
-    program: Program, is_triangle: bool, points: Floats, elements: Ints, normals: Floats, area: float,
+    program: Program, rows: Floats, is_triangle: bool, points: Floats, elements: Ints, normals: Floats,
     factors: Floats, invalid: Floats, values: Floats, valid: Bools,
 ) -> int:  # fmt: skip
-    """Values (E, M) and validity (E,) of the elements of one kind by a program; how many there are.
+    """Values (M, E) and validity (E,) of the elements of one kind by a program; how many there are.
 
-    Values are multiplied by `factors` (M,). `invalid` is (M, 2): between what the value of an invalid one is kept.
+    The program gives M values and openness. Values are multiplied by `factors` (M,). `invalid` is (M, 2): between
+    what the value of an invalid element is kept. `normals` is (E, 3), or (1, 3) of all elements.
     """
-    lanes, rows = np.empty(LANES, dtype=np.int64), rows_of(program)
-    count, start, done = len(program.outputs) - 1, 0, 0
-    while start < len(elements):
-        filled, start = next_lanes(elements, is_triangle, start, lanes)
+    lanes = np.empty(LANES, dtype=np.uint64)
+    count, start, done = len(program.outputs) - 1, np.uint64(0), np.uint64(0)
+    last, is_open = np.uint64(0 if is_triangle else 3), np.uint64(program.outputs[count])
+    flat, length = values.reshape(-1), np.uint64(len(elements))
+    if len(normals) == 1:
+        face_all(program, rows, normals)
+    is_mixed = is_triangle
+    while start < length:
+        filled, end = next_lanes(elements, is_triangle, start, lanes, is_mixed)
+        if not lay_out(rows, points, elements, last, lanes, filled):
+            is_mixed = True
+            continue  # with this block again
+        start = end
+        if len(normals) > 1:
+            face(program, rows, normals, lanes, filled)
+        run(program.steps, rows)
+        if filled > 0 and lanes[filled - _ONE] - lanes[0] == filled - _ONE:  # the usual case, many at once
+            first = lanes[0]
+            for i in range(filled):
+                valid[first + i] = rows[is_open + i] > 0.0
+            for k in range(np.uint64(count)):
+                row, to = np.uint64(program.outputs[k]), k * length + first
+                factor, least, most = factors[k], invalid[k, 0], invalid[k, 1]
+                for i in range(filled):
+                    flat[to + i] = judged(factor * rows[row + i], rows[is_open + i], least, most)
+        else:
+            for i in range(filled):
+                valid[lanes[i]] = rows[is_open + i] > 0.0
+                for k in range(np.uint64(count)):
+                    value, to = factors[k] * rows[np.uint64(program.outputs[k]) + i], k * length + lanes[i]
+                    flat[to] = judged(value, rows[is_open + i], invalid[k, 0], invalid[k, 1])
         done += filled
-        load(program, rows, points, elements, normals, area, lanes, filled)
-        run(program.steps, rows)
-        is_open = np.uint64(program.outputs[count])
-        for i in range(np.uint64(filled)):
-            valid[np.uint64(lanes[i])] = rows[is_open + i] > 0.0
-        for k in range(count):
-            row, factor, least, most = np.uint64(program.outputs[k]), factors[k], invalid[k, 0], invalid[k, 1]
-            for i in range(np.uint64(filled)):
-                value = factor * rows[row + i]
-                below = value if value < most else most
-                kept = below if below > least else least
-                values[np.uint64(lanes[i]), np.uint64(k)] = value if rows[is_open + i] > 0.0 else kept
-    return done
+    return int(done)
 
 
-@compiled
-def slopes(
-    program: Program, points: Floats, elements: Ints, normals: Floats, area: float, factor: float,
-    values: Floats, gradients: Floats,
-) -> None:  # fmt: skip
-    """Values (E,) and slopes (E, 4 or 3, 3) of elements of one kind, both times `factor`; slopes of no size are 0."""
-    lanes = np.empty(LANES, dtype=np.int64)
-    rows, nodes = rows_of(program), gradients.shape[1]
-    for start in range(0, len(elements), LANES):
-        filled = min(LANES, len(elements) - start)
+@inlined
+def judged(value: float, openness: float, least: float, most: float) -> float:
+    """The value of an open element; of another one what is nearest to it between two bounds."""
+    below = value if value < most else most
+    kept = below if below > least else least
+    return value if openness > 0.0 else kept
+
+
+@woven
+def next_lanes(
+    elements: Ints, is_triangle: bool, start: np.uint64, lanes: Lanes, is_mixed: bool
+) -> tuple[np.uint64, np.uint64]:
+    """Fill `lanes` with the next elements, of one kind if there are both; how many there were, and where to go on."""
+    filled, end, length = np.uint64(0), start, np.uint64(len(elements))
+    if is_mixed:
+        while end < length and filled < _ROW:
+            lanes[filled] = end
+            filled += _ONE if (elements[end, _AXES] < 0) == is_triangle else np.uint64(0)
+            end += _ONE
+    else:
+        filled = min(_ROW, length - start)
+        end = start + filled
         for i in range(filled):
             lanes[i] = start + i
-        load(program, rows, points, elements, normals, area, lanes, filled)
-        run(program.steps, rows)
-        for i in range(filled):
-            values[start + i] = factor * rows[program.outputs[0] + i]
-        for node in range(nodes):
-            row = np.uint64(program.outputs[1 + node])
-            for i in range(np.uint64(filled)):
-                element = np.uint64(start) + i
-                for axis in range(np.uint64(3)):
-                    slope = factor * rows[row + axis * np.uint64(LANES) + i]
-                    gradients[element, np.uint64(node), axis] = slope if -inf < slope < inf else 0.0
+    return filled, end
 
 
-@compiled
-def differences(
-    program: Program, points: Floats, quads: Ints, normals: Floats, area: float, tangents: Floats, step: float,
-    gradient: Floats,
-) -> None:  # fmt: skip
-    """Central differences of the sum of values by the nodes' parameters, added to `gradient` (N, 2).
+@woven
+def lay_out(rows: Floats, points: Floats, elements: Ints, last: np.uint64, lanes: Lanes, filled: np.uint64) -> bool:
+    """Lay out the sides of some elements; whether all of them have a node in the column `last`: the first in triangles.
 
-    Every corner of every quad is moved by `step` either way along its two tangents (N, 2, 3): eight pairs of
-    evaluations of the whole mesh, whatever the number of nodes.
+    They are in the first twelve rows; what they were multiplied by is in the next one: 1, or where their size is
+    unusual a power of 2, so that this changes no digit of anything.
     """
-    lanes, ahead = np.empty(LANES, dtype=np.int64), np.empty(LANES)
-    rows = rows_of(program)
-    for start in range(0, len(quads), LANES):
-        filled = min(LANES, len(quads) - start)
+    coordinates, nodes, width = points.reshape(-1), elements.reshape(-1), np.uint64(elements.shape[1])
+    are_complete = True
+    for i in range(filled):
+        first = width * lanes[i]
+        are_complete &= nodes[first + last] >= 0
+        a, b = _AXES * np.uint64(nodes[first]), _AXES * np.uint64(nodes[first + _ONE])
+        c, d = _AXES * np.uint64(nodes[first + np.uint64(2)]), _AXES * np.uint64(max(nodes[first + last], 0))
+        for axis in range(_AXES):
+            pa, pb, pc, pd = coordinates[a + axis], coordinates[b + axis], coordinates[c + axis], coordinates[d + axis]
+            place = axis * _ROW + i
+            rows[place] = pb - pa
+            rows[place + np.uint64(3) * _ROW] = pc - pb
+            rows[place + np.uint64(6) * _ROW] = pd - pc
+            rows[place + np.uint64(9) * _ROW] = pa - pd
+    is_usual = True
+    for i in range(_ROW):
+        size = 0.0
+        for k in range(_COORDINATES):
+            size = max(size, abs(rows[k * _ROW + i]))
+        is_usual &= (size > _SMALL) & (size < _LARGE)
+        rows[_SIDES + i] = size
+    if is_usual:
+        rows[_SIDES : _SIDES + _ROW] = 1.0
+    else:
+        _shrink(rows)
+    return are_complete
+
+
+@woven
+def _shrink(rows: Floats) -> None:
+    """Multiply the sides of each element by a power of 2; by 0 where they have no size or an infinite one."""
+    words = rows.view(np.uint64)
+    for i in range(_ROW):
+        exponent = words[_SIDES + i] >> _EXPONENT
+        is_finite = (rows[_SIDES + i] > 0.0) & (exponent < _GREATEST)
+        words[_SIDES + i] = (_GREATEST - exponent) << _EXPONENT if is_finite else np.uint64(0)
+    for k in range(_COORDINATES):
+        for i in range(_ROW):
+            rows[k * _ROW + i] *= rows[_SIDES + i]
+
+
+@woven
+def face(program: Program, rows: Floats, normals: Floats, lanes: Lanes, filled: np.uint64) -> None:
+    """Lay out the directions (E, 3) that some elements must face, if the program asks for them."""
+    if program.inputs[0] >= 0:
+        row = np.uint64(program.inputs[0])
         for i in range(filled):
-            lanes[i] = start + i
-        load(program, rows, points, quads, normals, area, lanes, filled)
-        for corner in range(4):
-            row = program.inputs[corner]
-            for direction in range(2):
-                for sign in (1.0, -1.0, 0.0):
-                    for i in range(filled):
-                        node = quads[start + i, corner]
-                        for axis in range(3):
-                            shift = sign * step * tangents[node, direction, axis]
-                            rows[row + axis * LANES + i] = points[node, axis] + shift
-                    if sign != 0.0:
-                        run(program.steps, rows)
-                        for i in range(filled):
-                            value = rows[program.outputs[0] + i]
-                            if sign > 0.0:
-                                ahead[i] = value
-                            else:
-                                gradient[quads[start + i, corner], direction] += (ahead[i] - value) / (2.0 * step)
+            for axis in range(_AXES):
+                rows[row + axis * _ROW + i] = normals[lanes[i], axis]
+
+
+@woven
+def face_all(program: Program, rows: Floats, normals: Floats) -> None:
+    """Lay out the direction (1, 3) that all elements must face, if the program asks for it."""
+    if program.inputs[0] >= 0:
+        row = np.uint64(program.inputs[0])
+        for axis in range(_AXES):
+            for i in range(_ROW):
+                rows[row + axis * _ROW + i] = normals[0, axis]
 
 
 @compiled
@@ -125,44 +177,3 @@ def rows_of(program: Program) -> Floats:
         row = program.constant_rows[k]
         rows[row : row + LANES] = program.constants[k]
     return rows
-
-
-@inlined
-def next_lanes(elements: Ints, is_triangle: bool, start: int, lanes: Longs) -> tuple[int, int]:
-    """Fill `lanes` with the next elements of one kind; how many there were, and where to go on."""
-    filled = 0
-    while start < len(elements) and filled < LANES:
-        lanes[np.uint64(filled)] = start
-        filled += 1 if (elements[np.uint64(start), np.uint64(3)] < 0) == is_triangle else 0
-        start += 1
-    return filled, start
-
-
-@inlined
-def load(
-    program: Program, rows: Floats, points: Floats, elements: Ints, normals: Floats, area: float,
-    lanes: Longs, filled: int,
-) -> None:  # fmt: skip
-    """Lay out the points of some elements, what they must face and what their areas are relative to."""
-    nodes = len(program.inputs) - 2
-    for node in range(nodes):
-        if program.inputs[node] < 0:
-            return  # nothing is made of the points
-    a, b, c = np.uint64(program.inputs[0]), np.uint64(program.inputs[1]), np.uint64(program.inputs[2])
-    d = np.uint64(program.inputs[nodes - 1])
-    for i in range(np.uint64(filled)):
-        element = np.uint64(lanes[i])
-        put(rows, a + i, vector(points, np.uint64(elements[element, np.uint64(0)])))
-        put(rows, b + i, vector(points, np.uint64(elements[element, np.uint64(1)])))
-        put(rows, c + i, vector(points, np.uint64(elements[element, np.uint64(2)])))
-        put(rows, d + i, vector(points, np.uint64(elements[element, np.uint64(nodes - 1)])))
-    row, each = program.inputs[nodes], len(normals) > 1
-    if row >= 0:
-        for i in range(filled):
-            normal = lanes[i] if each else 0
-            rows[row + i] = normals[normal, 0]
-            rows[row + LANES + i] = normals[normal, 1]
-            rows[row + 2 * LANES + i] = normals[normal, 2]
-    row = program.inputs[nodes + 1]
-    if row >= 0:
-        rows[row : row + LANES] = area

@@ -1,6 +1,6 @@
 """The machine that works out programs, compiled: each step for a whole row of elements at once."""
 
-from math import pi, sqrt
+from math import inf, pi, sqrt
 
 import numpy as np
 
@@ -18,7 +18,7 @@ _DIVIDE, _ROOT, _NEGATE, _ABSOLUTE = map(int, (Op.DIVIDE, Op.ROOT, Op.NEGATE, Op
 _LEAST, _GREATEST, _CHOOSE, _ARC = map(int, (Op.LEAST, Op.GREATEST, Op.CHOOSE, Op.ARC))
 _ADD_VECTORS, _SUBTRACT_VECTORS, _NEGATE_VECTOR = map(int, (Op.ADD_VECTORS, Op.SUBTRACT_VECTORS, Op.NEGATE_VECTOR))
 _SCALE, _SCALE_ADD, _DOT, _CROSS = map(int, (Op.SCALE, Op.SCALE_ADD, Op.DOT, Op.CROSS))
-_SQUARE, _LENGTH, _CROSS_ADD, _EQUAL = map(int, (Op.SQUARE, Op.LENGTH, Op.CROSS_ADD, Op.EQUAL))
+_SQUARE, _LENGTH, _CROSS_ADD, _TIES = map(int, (Op.SQUARE, Op.LENGTH, Op.CROSS_ADD, Op.TIES))
 _SHRUNK_EDGE = int(Op.SHRUNK_EDGE)
 _SHRINKING_3, _SHRINKING_4 = int(Op.SHRINKING_3), int(Op.SHRINKING_4)
 _OPENNESS_3, _OPENNESS_4 = int(Op.OPENNESS_3), int(Op.OPENNESS_4)
@@ -60,16 +60,16 @@ def run(steps: Ints, r: Floats) -> None:  # noqa: PLR0912, PLR0915  a table that
                 r[o + i] = abs(r[a + i])
         elif op == _LEAST:
             for i in range(_ROW):
-                r[o + i] = min(r[a + i], r[b + i])
+                r[o + i] = min(r[a + i], r[b + i], r[c + i], r[d + i])
         elif op == _GREATEST:
             for i in range(_ROW):
-                r[o + i] = max(r[a + i], r[b + i])
+                r[o + i] = max(r[a + i], r[b + i], r[c + i], r[d + i])
         elif op == _CHOOSE:
             for i in range(_ROW):
-                r[o + i] = r[b + i] if r[a + i] > 0.0 else r[c + i]
-        elif op == _EQUAL:
-            for i in range(_ROW):
-                r[o + i] = 1.0 if r[a + i] == r[b + i] else 0.0
+                positive, otherwise = r[b + i], r[c + i]
+                r[o + i] = positive if r[a + i] > 0.0 else otherwise
+        elif op == _TIES:
+            _ties(r, o, a, b, c, d, e)
         elif op == _ARC:
             _arc(r, o, a, b)
         elif op == _ADD_VECTORS:
@@ -104,7 +104,8 @@ def run(steps: Ints, r: Floats) -> None:  # noqa: PLR0912, PLR0915  a table that
                 put(r, o + i, total(cross(at(r, a + i), at(r, b + i)), at(r, c + i)))
         elif op == _SHRUNK_EDGE:
             for i in range(_ROW):
-                put(r, o + i, scaled(r[a + i], difference(at(r, b + i), at(r, c + i))))
+                x, y, z = scaled(r[a + i], difference(at(r, b + i), at(r, c + i)))
+                put(r, o + i, (_finite(x), _finite(y), _finite(z)))
         elif op == _SHRINKING_3:
             _shrinking(r, o, a, b, c, a)
         elif op == _SHRINKING_4:
@@ -174,24 +175,48 @@ def _largest(a: Vector) -> float:
 
 
 @inlined
+def _finite(value: float) -> float:
+    return value if abs(value) < inf else 0.0
+
+
+@inlined
+def _ties(r: Floats, o: np.uint64, a: np.uint64, b: np.uint64, c: np.uint64, d: np.uint64, e: np.uint64) -> None:
+    for i in range(_ROW):
+        value, b_i, c_i, d_i, e_i = r[a + i], r[b + i], r[c + i], r[d + i], r[e + i]
+        first, second = 1.0 if b_i == value else 0.0, 1.0 if c_i == value else 0.0
+        third, fourth = 1.0 if d_i == value else 0.0, 1.0 if e_i == value else 0.0
+        count = first + second + third + fourth
+        share = 1.0 / count if count > 0.0 else 0.0
+        r[o + i] = first * share
+        put(r, o + i + _ROW, (second * share, third * share, fourth * share))
+
+
+@inlined
 def _quad_openness(
     r: Floats, o: np.uint64, f: np.uint64, a: np.uint64, b: np.uint64, c: np.uint64, d: np.uint64
 ) -> None:
+    """Openness, the squares of the sides and those of the diagonals."""
     for i in range(_ROW):
         e0, e1, e2, e3 = at(r, a + i), at(r, b + i), at(r, c + i), at(r, d + i)
-        normal = cross(difference(e0, e2), difference(e1, e3))
-        doubled = square(normal)
-        first, second = dot(normal, cross(e3, e0)), dot(normal, cross(e0, e1))
-        least = min(first, second, 0.5 * doubled - first, 0.5 * doubled - second)  # opposite corners make up the quad
-        longest = max(square(e0), square(e1), square(e2), square(e3))
-        is_open = least > FLAT * longest * sqrt(doubled)
+        across, along = total(e0, e1), total(e1, e2)  # the diagonals
+        normal = cross(across, along)
+        doubled, turned = square(normal), cross(normal, e0)
+        first, second = dot(turned, along), dot(turned, across)  # Jacobians of the corners at a and b
+        least = min(first, second, doubled - first, doubled - second)  # opposite corners make up the quad
+        s0, s1, s2, s3 = square(e0), square(e1), square(e2), square(e3)
+        is_open = least > FLAT * max(s0, s1, s2, s3) * sqrt(doubled)
         r[o + i] = 1.0 if is_open and not dot(normal, at(r, f + i)) < 0.0 else 0.0
+        put(r, o + i + _ROW, (s0, s1, s2))
+        put(r, o + i + _ROW + _VECTOR, (s3, square(across), square(along)))
 
 
 @inlined
 def _triangle_openness(r: Floats, o: np.uint64, f: np.uint64, a: np.uint64, b: np.uint64, c: np.uint64) -> None:
+    """Openness and the squares of the sides."""
     for i in range(_ROW):
         e0, e1, e2 = at(r, a + i), at(r, b + i), at(r, c + i)
         normal = cross(e0, e1)
-        is_open = length(normal) > FLAT * max(square(e0), square(e1), square(e2))
+        s0, s1, s2 = square(e0), square(e1), square(e2)
+        is_open = length(normal) > FLAT * max(s0, s1, s2)
         r[o + i] = 1.0 if is_open and not dot(normal, at(r, f + i)) < 0.0 else 0.0
+        put(r, o + i + _ROW, (s0, s1, s2))

@@ -15,6 +15,12 @@ LANES = 64
 _Key = tuple[object, ...]
 _JOINED = {Op.ADD: {Op.MULTIPLY: Op.MULTIPLY_ADD}, Op.ADD_VECTORS: {Op.SCALE: Op.SCALE_ADD, Op.CROSS: Op.CROSS_ADD}}
 _WIDTH = 7
+_LINE = 8
+"""Numbers in a cache line."""
+_ROWS = {Op.OPENNESS_3: 4, Op.OPENNESS_4: 7, Op.TIES: 4}
+"""Of operations that give several numbers."""
+_LASTING = {*_ROWS, Op.CONSTANT, Op.INPUT, Op.PART}
+"""What keeps its rows."""
 
 
 class Program(NamedTuple):
@@ -34,30 +40,51 @@ class Program(NamedTuple):
     """Numbers in all rows."""
 
 
-def program(outputs: Sequence[Node], inputs: Sequence[Node]) -> Program:
-    """Steps that work out expressions of inputs; what occurs several times is worked out once."""
-    return _Assembly(outputs, inputs).program()
+def program(outputs: Sequence[Node], inputs: Sequence[Node], first: Sequence[Node] = ()) -> Program:
+    """Steps that work out expressions of inputs; what occurs several times is worked out once.
+
+    Of what is in `first`, used or not, the rows come first; it is given, too, whatever it is made of.
+    """
+    return _Assembly(outputs, inputs, first).program()
+
+
+def rows_for(program: Program, reference: float) -> Floats:
+    """Rows for a program of a judge to run on, with its constants and what areas are relative to in place.
+
+    They begin where a cache line does: vectors across two lines take twice the time.
+    """
+    room = np.zeros(program.length + _LINE)
+    first = -(room.ctypes.data // room.itemsize) % _LINE
+    rows = room[first : first + program.length]
+    table = rows.reshape(-1, LANES)
+    table[program.constant_rows // LANES] = program.constants[:, None]
+    if program.inputs[1] >= 0:
+        table[program.inputs[1] // LANES] = reference
+    return rows
 
 
 class _Assembly:
     """Rows are used again once nothing needs them any more, but never for the result of a step that reads them."""
 
-    def __init__(self, outputs: Sequence[Node], inputs: Sequence[Node]) -> None:
+    def __init__(self, outputs: Sequence[Node], inputs: Sequence[Node], first: Sequence[Node]) -> None:
+        self._given = {id(node) for node in (*inputs, *first)}
         self._known: dict[_Key, Node] = {}
         self._same: dict[int, Node] = {}
-        self._order = [node for node in ordered(outputs) if self._is_new(node)]
+        self._order = [node for node in ordered(outputs, (*inputs, *first)) if self._is_new(node)]
         self._join_products_with_sums({id(self._same[id(node)]) for node in outputs})
         self._inputs = [self._same.get(id(node)) for node in inputs]
         self._outputs = [self._same[id(node)] for node in outputs]
         self._rows: dict[int, int] = {}
         self._free: dict[type, list[int]] = {Number: [], Arrow: []}
         self._length = 0
+        for node in first:
+            self._rows[id(node)] = self._new_row(node)
 
     def program(self) -> Program:
         constants = [node for node in self._order if node.op is Op.CONSTANT]
         for node in (*constants, *(node for node in self._inputs if node is not None)):
             self._rows[id(node)] = self._new_row(node)
-        work = [node for node in self._order if node.op not in {Op.CONSTANT, Op.INPUT}]
+        work = [node for node in self._order if node.op not in {Op.CONSTANT, Op.INPUT} and id(node) not in self._given]
         steps = self._steps(work)
         return Program(
             ints(np.array(steps, dtype=np.int32).reshape(-1, _WIDTH)),
@@ -73,7 +100,8 @@ class _Assembly:
         if node.op is Op.EXTREME:
             self._same[id(node)] = self._same[id(node.operands[0])]
             return False
-        operands = tuple(id(self._same[id(operand)]) for operand in node.operands)
+        is_given = id(node) in self._given and node.op is not Op.INPUT
+        operands = (id(node),) if is_given else tuple(id(operand) for operand in self._operands(node))
         first = self._known.setdefault((type(node), node.op, node.value, operands), node)
         self._same[id(node)] = first
         return first is node
@@ -96,28 +124,31 @@ class _Assembly:
 
     def _steps(self, work: list[Node]) -> list[list[int]]:
         last = {id(operand): number for number, node in enumerate(work) for operand in self._operands(node)}
-        kept = {id(node) for node in self._outputs}
+        kept = {id(node) for node in self._outputs} | self._given
         steps = []
         for number, node in enumerate(work):
             operands = self._operands(node)
-            row = self._rows[id(node)] = self._row(node)
             rows = [self._rows[id(operand)] for operand in operands]
+            if node.op is Op.PART:
+                self._rows[id(node)] = rows[0] + int(node.value) * LANES
+                continue
+            row = self._rows[id(node)] = self._row(node)
             steps.append([int(node.op), row, *rows, *[0] * (_WIDTH - 2 - len(rows))])
             for done in {id(operand): operand for operand in operands}.values():
-                if last[id(done)] == number and id(done) not in kept and done.op not in {Op.CONSTANT, Op.INPUT}:
+                if last[id(done)] == number and id(done) not in kept and done.op not in _LASTING:
                     self._free[type(done)].append(self._rows[id(done)])
         return steps
 
     def _operands(self, node: Node) -> list[Node]:
-        return [self._same[id(operand)] for operand in node.operands]
+        return [] if id(node) in self._given else [self._same[id(operand)] for operand in node.operands]
 
     def _row(self, node: Node) -> int:
         free = self._free[type(node)]
-        return free.pop() if free else self._new_row(node)
+        return free.pop() if free and node.op not in _ROWS else self._new_row(node)
 
     def _new_row(self, node: Node) -> int:
         row = self._length
-        self._length += LANES * (3 if isinstance(node, Arrow) else 1)
+        self._length += LANES * _ROWS.get(node.op, 3 if isinstance(node, Arrow) else 1)
         return row
 
 

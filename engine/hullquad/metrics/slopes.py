@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from hullquad.metrics.expression import Arrow, Node, Number, Op, choice, cross, dot, number, ordered
+from hullquad.metrics.expression import Arrow, Node, Number, Op, choice, cross, dot, doubled, number, ordered
 
 
 def slopes(value: Number, inputs: Sequence[Arrow]) -> list[Arrow]:
@@ -51,7 +51,7 @@ def _parts(node: Any, slope: Any) -> Iterator[tuple[Node, Any]]:  # noqa: PLR091
         case Op.NEGATE | Op.NEGATE_VECTOR, (a,):
             yield a, -slope
         case Op.SQUARE, (a,):
-            yield a, (slope + slope) * a
+            yield a, doubled(slope) * a
         case Op.LENGTH, (a,):
             yield a, (slope / node) * a
         case Op.ARC, (sine, cosine):

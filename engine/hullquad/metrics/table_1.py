@@ -15,8 +15,7 @@ def stretch(element: Element) -> Number:
 
     VTK's Stretch. No barrier: concave quads and bow-ties are not bounded by 1.
     """
-    first, second = element.diagonals
-    longest = greatest([first.square, second.square], element.doublings)
+    longest = greatest(element.squared_diagonals, element.doublings)
     return root(2.0 * least(element.squares, element.doublings) / longest)
 
 

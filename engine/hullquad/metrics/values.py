@@ -1,6 +1,6 @@
 """Values of metrics on the elements of a mesh, and their slopes: the kernels behind plain functions on arrays.
 
-A kernel is compiled once, for read-only arrays; what can be written to is copied first. In all of them:
+The kernel is compiled once, for read-only arrays; what can be written to is copied first. In all of them:
 
 points : (N, 3) float array
     [mm]
@@ -20,8 +20,8 @@ import numpy as np
 from hullquad.arrays import Bools, Floats, Ints, floats, ints
 from hullquad.mesh import mean_areas
 from hullquad.metrics import METRICS, Metric, kernels
-from hullquad.metrics.program import Program
-from hullquad.metrics.programs import corners_program, slopes_program, values_program
+from hullquad.metrics.program import Program, rows_for
+from hullquad.metrics.programs import corners_program, raw_program, slopes_program, values_program
 
 ANY_SENSE = floats(np.zeros((1, 3)))
 """Normals for elements of which only their own sense is known."""
@@ -124,14 +124,11 @@ def smooth_gradients(
     doublings = None if exponent == inf else int(log2(exponent))
     if doublings is not None and (doublings < 0 or 2.0**doublings != exponent):
         raise ValueError(f"{exponent} is not a power of 2")
-    points, elements = floats(points), ints(elements)
     count = elements.shape[1]
     program = slopes_program(metric, count, doublings)
-    values, gradients = np.empty(len(elements)), np.empty((len(elements), count, 3))
-    padded = np.pad(elements, ((0, 0), (0, 4 - count)), constant_values=-1)
-    area = float(_areas(areas, [program], points, padded)[4 - count])
-    kernels.slopes(program, points, elements, floats(normals), area, metric.factor, values, gradients)
-    return values, gradients
+    padded = np.pad(elements, ((0, 0), (0, 4 - count)), constant_values=-1) if count < 4 else elements
+    found = _unjudged(program, 4 - count, metric.factor, points, padded, normals, areas)
+    return found[0], np.moveaxis(found[1:].reshape(count, 3, -1), 2, 0)
 
 
 def difference_gradient(
@@ -145,6 +142,9 @@ def difference_gradient(
 ) -> Floats:
     """(N, 2) central differences of the sum of raw values by the nodes' parameters; angles in radians.
 
+    Every corner of every quad is moved either way along its two tangents: eight pairs of evaluations of the whole
+    mesh, whatever the number of nodes.
+
     Parameters
     ----------
     tangents : (N, 2, 3) float array
@@ -152,11 +152,22 @@ def difference_gradient(
     step : float
         By which a parameter is changed either way [mm].
     """
-    gradient = np.zeros((len(points), 2))
-    points, quads = floats(points), ints(quads)
-    program = values_program((metric,), 4)
-    area = float(_areas(areas, [program], points, quads)[0])
-    kernels.differences(program, points, quads, floats(normals), area, floats(tangents), step, gradient)
+    program, gradient = raw_program(metric), np.zeros((len(points), 2))
+    alone, areas = ints(np.arange(quads.size).reshape(-1, 4)), _areas(areas, [program], points, quads)
+    corners = points[quads]
+    seen = corners.reshape(-1, 3)
+    seen.flags.writeable = False
+    for corner, nodes in enumerate(quads.T):
+        here = corners[:, corner].copy()
+        for direction in range(2):
+            shift = step * tangents[nodes, direction]
+            there = []
+            for moved in (here + shift, here - shift):
+                corners[:, corner] = moved
+                there.append(_unjudged(program, 0, 1.0, seen, alone, normals, areas)[0])
+            slopes = (there[0] - there[1]) / (2.0 * step)
+            gradient[:, direction] += np.bincount(nodes, slopes, len(points))
+        corners[:, corner] = here
     return gradient
 
 
@@ -169,24 +180,39 @@ def _judged(
     areas: Floats | None,
     invalid: Floats,
 ) -> tuple[Floats, Bools]:
-    points, elements = floats(points), ints(elements)
-    values, valid = np.full((len(elements), len(metrics)), np.nan), np.empty(len(elements), dtype=bool)
+    """(E, M) values of elements of both kinds and (E,) their validity."""
+    points, elements, normals = floats(points), ints(elements), floats(normals)
+    values, valid = np.empty((len(metrics), len(elements))), np.empty(len(elements), dtype=bool)
+    if any(len(program.outputs) <= len(metrics) for program in programs):  # some have no such value
+        values[:] = np.nan
     judges = metrics, [metric.triangle_metric for metric in metrics]
-    factors = floats([[metric.factor for metric in rows] for rows in judges])
     bounds = floats(invalid.reshape(2, len(metrics), 2))
-    known = _areas(areas, programs, points, elements)
-    normals, done = floats(normals), 0
+    known, done = _areas(areas, programs, points, elements), 0
     for kind, program in enumerate(programs):
         if done < len(elements):
-            area, bound = float(known[kind]), bounds[kind]
+            factors = floats([metric.factor for metric in judges[kind]])
+            rows = rows_for(program, float(known[kind]))
             done += kernels.judge(
-                program, kind == 1, points, elements, normals, area, factors[kind], bound, values, valid
+                program, rows, kind == 1, points, elements, normals, factors, bounds[kind], values, valid
             )
-    return values, valid
+    return values.T, valid
+
+
+def _unjudged(
+    program: Program, kind: int, factor: float, points: Floats, elements: Ints, normals: Floats, areas: Floats | None
+) -> Floats:
+    """(M, E) what a program gives of elements of one kind, times a factor."""
+    points, elements, normals = floats(points), ints(elements), floats(normals)
+    count = len(program.outputs) - 1
+    values, valid = np.empty((count, len(elements))), np.empty(len(elements), dtype=bool)
+    rows = rows_for(program, float(_areas(areas, [program], points, elements)[kind]))
+    factors, bounds = floats(np.full(count, factor)), floats(np.full((count, 2), (-inf, inf)))
+    kernels.judge(program, rows, kind == 1, points, elements, normals, factors, bounds, values, valid)
+    return values
 
 
 def _areas(areas: Floats | None, programs: Sequence[Program], points: Floats, elements: Ints) -> Floats:
     """What sizes are relative to; zeros where no size is asked for."""
     if areas is not None:
         return floats(areas)
-    return mean_areas(points, elements) if any(program.inputs[-1] >= 0 for program in programs) else _NO_AREAS
+    return mean_areas(points, elements) if any(program.inputs[1] >= 0 for program in programs) else _NO_AREAS
