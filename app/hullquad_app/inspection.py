@@ -65,6 +65,6 @@ class Inspection:
 
     def _reading(self, judged: Quality, given: Bools) -> Reading:
         row = judged.metric
-        judge, band = (row.triangle_metric, row.triangle_band) if self.is_triangle else (row, judged.band)
+        judge, band = (row.triangle_metric, judged.triangle_band) if self.is_triangle else (row, judged.band)
         fate = Fate(bool(judged.valid[0]), bool(judged.failing[0]), bool(given[0]))
         return Reading(row, judge, float(judged.values[0]), band, fate)

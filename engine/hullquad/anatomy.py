@@ -78,6 +78,6 @@ class Anatomy:
 
 
 def _quality(by: Metric, band: Band, values: Floats, valid: Bools, is_triangle: Bools) -> Quality:
-    judge, ends = (by.triangle_metric, by.triangle_band) if is_triangle[0] else (by, band)
+    judge, ends = (by.triangle_metric, by.triangle_band_beside(band)) if is_triangle[0] else (by, band)
     failing = ~(judge.is_within(ends, values) & valid)
     return Quality(metric=by, band=band, values=values, valid=valid, failing=failing, is_triangle=is_triangle)

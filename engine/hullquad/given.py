@@ -36,7 +36,7 @@ _OF_ONE_CORNER = {
 def given(mesh: Mesh, judged: Quality) -> Bools:
     """(E,) which elements fail, and cannot be mended by moving nodes."""
     found = np.zeros(len(judged.values), dtype=bool)
-    of_triangles = (judged.is_triangle, judged.metric.triangle_metric, judged.metric.triangle_band)
+    of_triangles = (judged.is_triangle, judged.metric.triangle_metric, judged.triangle_band)
     for is_kind, by, band in ((~judged.is_triangle, judged.metric, judged.band), of_triangles):
         rows = np.flatnonzero(judged.failing & is_kind)
         found[rows] = beyond_mending(mesh, by, band, rows)
@@ -45,6 +45,7 @@ def given(mesh: Mesh, judged: Quality) -> Bools:
     return found
 
 
+@np.errstate(invalid="ignore", over="ignore")
 def beyond_mending(mesh: Mesh, by: Metric, band: Ends, rows: Longs) -> Bools:
     """(V,) which of these elements, all outside the band, are so wherever their free nodes go."""
     found, near = _none_of(mesh, rows)
@@ -61,6 +62,7 @@ def beyond_mending(mesh: Mesh, by: Metric, band: Ends, rows: Longs) -> Bools:
     return found
 
 
+@np.errstate(invalid="ignore", over="ignore")
 def inverted_for_good(mesh: Mesh, rows: Longs) -> Bools:
     """(V,) which of these elements, all inverted, are so wherever their free nodes go."""
     found, near = _none_of(mesh, rows)

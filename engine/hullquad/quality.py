@@ -32,6 +32,11 @@ class Quality:
         """Where quads begin to fail: at one value, or at two of a two-sided metric."""
         return self.metric.limits(self.band)
 
+    @property
+    def triangle_band(self) -> Band:
+        """Within which triangles are acceptable, by `Metric.triangle_metric`."""
+        return self.metric.triangle_band_beside(self.band)
+
     @cached_property
     def is_on_scale(self) -> Bools:
         """(E,) whose values stand on the metric's axis: all but triangles that are judged by another measure."""
@@ -88,7 +93,7 @@ class Quality:
     def grades(self) -> Floats:
         """(E,) from -1 (as bad as can be) over 0 (the end of the band of the element's kind) to 1 (ideal)."""
         row = self.metric
-        triangles = graded(row.triangle_metric, self.values, row.triangle_band, ideal=row.triangle_scale.ideal)
+        triangles = graded(row.triangle_metric, self.values, self.triangle_band, ideal=row.triangle_scale.ideal)
         quads = graded(row, self.values, self.band)
         return np.where(self.valid, np.where(self.is_triangle, triangles, quads), -1.0)
 
@@ -100,8 +105,8 @@ class Quality:
 def quality(mesh: Mesh, metric: Metric, band: Band | None = None) -> Quality:
     """Quality of a mesh by a metric.
 
-    Quads fail outside `band`, or outside the metric's acceptable band when there is none; triangles always
-    by their own band.
+    Quads fail outside `band`, or outside the metric's acceptable band when there is none; triangles outside the same
+    if the metric has one scale for both, else outside their own.
     """
     from hullquad.metrics.values import judged_values  # noqa: PLC0415  brings Numba: half a second
 
@@ -110,7 +115,7 @@ def quality(mesh: Mesh, metric: Metric, band: Band | None = None) -> Quality:
     values, valid = judged_values(metric, mesh.points, elements, mesh.normals, mesh.reference_areas)
     within = np.where(
         is_triangle,
-        metric.triangle_metric.is_within(metric.triangle_band, values),
+        metric.triangle_metric.is_within(metric.triangle_band_beside(band), values),
         metric.is_within(band, values),
     )
     return Quality(

@@ -7,6 +7,7 @@ import attrs
 import numpy as np
 
 from hullquad.arrays import Bools, Bytes, Ints, Longs, ints, longs, small_ints
+from hullquad.errors import MeshError
 
 
 class NodeState(IntEnum):
@@ -37,6 +38,9 @@ class Topology:
     """(N,) values of `NodeState`."""
     node_lines: Ints = attrs.field(converter=ints)
     """(N,) the mesh's line that a node slides on, else -1."""
+
+    def __attrs_post_init__(self) -> None:
+        refuse_unknown_nodes(self.elements, len(self.node_states), self.element_labels, "mesh")
 
     @cached_property
     def is_triangle(self) -> Bools:
@@ -79,6 +83,22 @@ def topology(elements: Ints, node_states: Bytes, node_lines: Ints | None = None)
         node_states=node_states,
         node_lines=np.full(nodes, -1) if node_lines is None else node_lines,
     )
+
+
+def refuse_unknown_nodes(elements: Ints, nodes: int, element_labels: Longs, place: str) -> None:
+    """Refuse elements of other nodes than there are: compiled loops read whatever stands there.
+
+    Raises
+    ------
+    MeshError
+        It names the first such element by its label.
+    """
+    if not len(elements) or (elements.max() < nodes and elements[:, :3].min() >= 0 and elements[:, 3].min() >= -1):
+        return
+    is_none = (elements >= nodes) | (elements < [0, 0, 0, -1])
+    row, corner = (int(found[0]) for found in np.nonzero(is_none))
+    found = int(elements[row, corner])
+    raise MeshError("E_MESH", place, "no_node", element=int(element_labels[row]), found=found, nodes=nodes)
 
 
 def half_edges(elements: Ints) -> tuple[Ints, Longs]:

@@ -4,6 +4,9 @@ import attrs
 import numpy as np
 import pytest
 
+from hullquad.errors import MeshError
+from hullquad.formats.imported import bare_mesh
+from hullquad.given import given
 from hullquad.metrics import metric
 from hullquad.quality import quality
 from hullquad.topology import NodeState, half_edges, paired_sides, reversed_elements, rim_states, topology
@@ -24,6 +27,48 @@ def test_triangles_fail_by_their_own_limit(reference_mesh):
     judged = quality(mesh, metric("min_angle"))
     triangles = judged.values[mesh.topology.is_triangle]
     np.testing.assert_array_equal(judged.failing[mesh.topology.is_triangle], triangles < 30)
+
+
+def test_the_limit_is_of_both_kinds_where_they_have_one_scale(reference_mesh):
+    mesh = reference_mesh("hopper_seg")
+    is_triangle = mesh.topology.is_triangle
+    for key, limit in (("longest_edge", 850.0), ("aspect_ratio", 1.2), ("min_angle", 70.0)):
+        row = metric(key)
+        judged = quality(mesh, row, row.moved(row.band, limit))
+        assert judged.triangle_band == (row.triangle_band if key == "min_angle" else judged.band)
+        within = row.is_within(judged.triangle_band, judged.values)
+        np.testing.assert_array_equal(judged.failing[is_triangle], ~within[is_triangle])
+        beyond = judged.failing[is_triangle]
+        assert key == "min_angle" or 0 < beyond.sum() < len(beyond)
+        np.testing.assert_array_equal(judged.grades[is_triangle] < 0, beyond)
+
+
+def test_an_inverted_quad_is_no_flatter_than_a_folded_one():
+    points = np.array([[0, 0, 0], [1, 0, 0], [0.3, 0.3, 1], [0, 1, 0], [3, 0, 0], [4, 0, 0], [4, 0, 0], [3, 1, 0.0]])
+    mesh = bare_mesh(points, np.arange(8, dtype=np.int32).reshape(2, 4), "here")
+    judged = quality(mesh, metric("warpage"))
+    assert judged.valid.tolist() == [True, False]
+    assert judged.values[0] < 0
+    assert judged.values[1] == -1
+    assert judged.worst_element == 1
+
+
+@pytest.mark.parametrize("element", [(0, 1, 2, 7), (0, -1, 2, 3), (0, 1, 2, -2), (0, 1, 2, 2_000_000_000)])
+def test_an_element_of_a_node_that_is_none_is_named(element):
+    points = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.0]])
+    elements = np.array([(0, 1, 2, 3), element], dtype=np.int32)
+    for make in (lambda: bare_mesh(points, elements, "mine"), lambda: topology(elements, np.ones(4, np.int8))):
+        with pytest.raises(MeshError, match=r"E_MESH at m\w+: element 2 uses node -?\d+, but .* there are 4;"):
+            make()
+
+
+def test_coordinates_that_are_none_are_judged_without_a_warning(dented):
+    for value in (np.nan, np.inf):
+        points = dented.points.copy()
+        points[5] = value
+        mesh = attrs.evolve(dented, points=points)
+        judged = quality(mesh, metric("stretch"))
+        assert (~judged.valid).sum() == given(mesh, judged).sum() + 4 == 4
 
 
 def test_an_inverted_element_fails_and_is_counted(dented):

@@ -49,7 +49,7 @@ def _draw_line(painter: QPainter, plot: Bars, palette: Palette, limit: float, *,
 def has_triangle_limit(quality: Quality) -> bool:
     """Whether there are triangles on the axis that fail at another value than quads."""
     row = quality.metric
-    is_other = row.holds_triangles and row.triangle_band != quality.band
+    is_other = row.holds_triangles and quality.triangle_band != quality.band
     return is_other and bool(quality.is_triangle.any())
 
 
@@ -58,7 +58,7 @@ def draw_triangle_limit(painter: QPainter, plot: Bars, palette: Palette) -> None
     if not has_triangle_limit(plot.quality):
         return
     row, reach = plot.quality.metric, plot.strip.height() / 2
-    for limit in row.triangle_metric.limits(row.triangle_band):
+    for limit in row.triangle_metric.limits(plot.quality.triangle_band):
         draw_triangle(painter, QPointF(plot.x.at(limit), plot.strip.center().y()), reach, palette)
 
 

@@ -5,7 +5,7 @@ import numpy as np
 from hullquad.arrays import Floats, Ints, Longs
 from hullquad.errors import MeshError
 from hullquad.mesh import Mesh
-from hullquad.topology import edges, rim_states, topology
+from hullquad.topology import edges, refuse_unknown_nodes, rim_states, topology
 
 FARTHEST = 1e15
 """No coordinate is larger [mm]: the limit of plate documents too; squares and cubes of it do not overflow."""
@@ -27,7 +27,7 @@ def bare_mesh(points: Floats, elements: Ints, place: str) -> Mesh:
 
 
 def judge(points: Floats, elements: Ints, node_labels: Longs, element_labels: Longs, place: str) -> None:
-    """Refuse a mesh without elements, with nodes nowhere, or with elements that use a node twice.
+    """Refuse a mesh without elements, with nodes nowhere, or with elements of a node that is none or there twice.
 
     Raises
     ------
@@ -36,6 +36,7 @@ def judge(points: Floats, elements: Ints, node_labels: Longs, element_labels: Lo
     """
     if not len(elements):
         raise MeshError("E_EMPTY_MESH", place)
+    refuse_unknown_nodes(elements, len(points), element_labels, place)
     lost = np.flatnonzero(~(np.abs(points) <= FARTHEST).all(axis=1))
     if len(lost):
         raise MeshError("E_MESH", place, "coordinate", node=int(node_labels[lost[0]]), count=len(lost))

@@ -73,6 +73,10 @@ class Metric:
         judge = self.triangle_metric
         return judge.opened(judge.triangle_scale.acceptable)
 
+    def triangle_band_beside(self, band: Band) -> Band:
+        """What is acceptable for triangles where `band` is for quads: the same if they are read on one scale."""
+        return band if self.triangles == self.quads else self.triangle_band
+
     @property
     def triangle_metric(self) -> "Metric":
         """What triangles are judged by: this metric, or shape where it has no form for triangles."""

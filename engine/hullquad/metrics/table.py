@@ -101,7 +101,7 @@ _OF_CORNERS = {
     "scaled_jacobian", "shape", "min_angle", "max_angle", "condition", "shear", "distortion", "ansys_max_corner_angle",
     "ansys_skewness", "nastran_taper", "corner_angle",
 }  # fmt: skip
-_SIGNED = {"scaled_jacobian", "warpage", "distortion"}
+_SIGNED = {"scaled_jacobian", "distortion"}
 _REFLEX = {"max_angle", "ansys_max_corner_angle", "corner_angle"}
 
 
@@ -130,6 +130,8 @@ def _invalid(key: str, sense: Sense) -> tuple[float, float]:
         return -inf, 0.0
     if key in _REFLEX:
         return 180.0, inf
+    if key == "warpage":  # that of valid quads is below 0 as well, where they are folded by more than 90°
+        return -1.0, -1.0
     return (0.0, 0.0) if sense is HIGHER else (inf, inf)
 
 
