@@ -3,12 +3,16 @@
 import numpy as np
 import pytest
 
+from hullquad.arrays import floats, ints
 from hullquad.errors import HullquadError
 from hullquad.metrics import OBJECTIVES, metric
 from hullquad.metrics.values import raw_values
 from hullquad.optimization.course import Course
+from hullquad.optimization.descent import Ways, descent, look
 from hullquad.optimization.energies import merit, winslow
-from hullquad.optimization.energy import Elements, Energy, energy_at
+from hullquad.optimization.energy import Elements, Energy
+from hullquad.optimization.facets import NO_FACETS
+from hullquad.optimization.footing import footing
 from hullquad.optimization.objective import Objective, Term, objective
 from hullquad.optimization.problem import problem
 
@@ -17,22 +21,22 @@ AREAS = np.array([300.0**2, 150.0**2])
 WITH_STAND_IN = [row for row in OBJECTIVES if row.group in {"Kniat, Table 1", "ANSYS"}]
 
 
-def parted(quads: np.ndarray, triangles: np.ndarray) -> Elements:
+def facing_up(elements: np.ndarray, quads: int) -> Elements:
     """Elements that face up and count once."""
-    return Elements(quads, triangles, UP, UP, np.ones(len(quads)), np.ones(len(triangles)))
+    return Elements(ints(elements), quads, UP, floats(np.ones(len(elements))))
 
 
 def of(points: np.ndarray, elements: Elements, energy: Energy) -> tuple[float, np.ndarray, np.ndarray]:
     """Energy, gradient and openness."""
-    openness, gradient = np.empty(len(elements.quads) + len(elements.triangles)), np.empty_like(points)
-    value, _ = energy_at(points, elements, energy, openness, openness, gradient)
-    return value, gradient, openness
+    held = Ways(np.empty((0, 2, 3)), NO_FACETS, footing(NO_FACETS, np.arange(len(points)), 0))
+    run = descent(points, 0, len(elements.nodes))
+    return look(run, held, elements, energy), run.node_gradient, run.openness
 
 
 def parts(mesh, warp: float) -> tuple[np.ndarray, Elements]:
     given = problem(mesh)
     points = given.points + [0, 0, warp] * np.random.default_rng(3).normal(size=given.points.shape)
-    return points, parted(given.quads, given.triangles)
+    return points, facing_up(given.elements, given.quads)
 
 
 def energies():
@@ -57,9 +61,9 @@ def test_the_gradient_is_that_of_the_energy(reference_mesh, energy, warp):
 
 def test_a_square_and_an_equilateral_triangle_cost_least():
     points = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0.5, np.sqrt(0.75), 0]])
-    quad, triangle = np.array([[0, 1, 2, 3]], dtype=np.int32), np.array([[0, 1, 4]], dtype=np.int32)
-    only_quad = of(points, parted(quad, triangle[:0]), winslow(1.0, 1e-9))
-    only_triangle = of(points, parted(quad[:0], triangle), winslow(1.0, 1e-9))
+    points = points.astype(float)
+    only_quad = of(points, facing_up(np.array([[0, 1, 2, 3]]), 1), winslow(1.0, 1e-9))
+    only_triangle = of(points, facing_up(np.array([[0, 1, 4, -1]]), 0), winslow(1.0, 1e-9))
     assert only_quad[0] == pytest.approx(1.0)
     assert only_triangle[0] == pytest.approx(0.5)
     for _, gradient, openness in (only_quad, only_triangle):
@@ -94,7 +98,8 @@ def test_the_floor_costs_only_what_is_below_it(reference_mesh):
 
 def test_the_energy_does_not_depend_on_the_order_of_the_elements(reference_mesh):
     points, elements = parts(reference_mesh("web_L"), 0.0)
-    other = parted(np.roll(elements.quads, 1, axis=1)[::-1].copy(), elements.triangles[::-1].copy())
+    quads, triangles = elements.nodes[: elements.quads], elements.nodes[elements.quads :]
+    other = facing_up(np.concatenate([np.roll(quads, 1, axis=1)[::-1], triangles[::-1]]), elements.quads)
     energy = merit(objective("shape"), 300.0, AREAS, 3, 0.3)
     assert of(points, other, energy)[0] == pytest.approx(of(points, elements, energy)[0], rel=1e-12)
 

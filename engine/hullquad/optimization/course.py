@@ -8,7 +8,7 @@ import numpy as np
 from hullquad.arrays import Floats, floats
 from hullquad.mesh import Mesh
 from hullquad.optimization import descent
-from hullquad.optimization.energy import Elements, Energy, energy_at
+from hullquad.optimization.energy import Elements, Energy
 from hullquad.optimization.footing import footing
 from hullquad.optimization.problem import Problem
 
@@ -35,14 +35,14 @@ class Course:
         self.is_at_check = False
         """Whether it is time to see if the mesh is the best so far: the same iterations whatever the stride."""
         self._ways, self.elements = _ways(given)
-        self._run = descent.descent(given.points, given.movable, len(given.quads) + len(given.triangles))
+        self._run = descent.descent(given.points, given.movable, len(self.elements.nodes))
+        self._looking = descent.looking(self._run)
         self._iterations, self.stride = iterations, stride
         self._deadline = monotonic() + seconds
 
     def weigh(self, weights: Floats) -> None:
         """Have every element of the mesh (E,) count so much in the energies that ask for it."""
-        quads, triangles = (weights[rows] for rows in (self.problem.quad_rows, self.problem.triangle_rows))
-        self.elements = self.elements._replace(quad_weights=floats(quads), triangle_weights=floats(triangles))
+        self.elements = self.elements._replace(weights=floats(weights[self.problem.rows]))
 
     @property
     def points(self) -> Floats:
@@ -69,9 +69,8 @@ class Course:
 
     def look(self, energy: Energy) -> tuple[float, Floats]:
         """An energy where the nodes are now, and the openness (Q + T,) of the elements."""
-        openness = np.empty(len(self._run.openness))
-        value, _ = energy_at(self.points, self.elements, energy, openness, openness, self._run.node_gradient)
-        return value, openness
+        value = descent.look(self._looking, self._ways, self.elements, energy)
+        return value, self._looking.openness
 
     def stage(self, energy: Energy, most: int, gain: float) -> Iterator[int]:
         """Make an energy smaller; yields the number of the iteration after each stride.
@@ -94,11 +93,7 @@ class Course:
 
 def _ways(given: Problem) -> tuple[descent.Ways, Elements]:
     """What nodes may move along, and the elements with what they must face."""
-    tangents, normals = given.directions()
-    quads, surface = len(given.quads), given.surface
-    of_quads, of_triangles = (normals, normals) if len(normals) == 1 else (normals[:quads], normals[quads:])
-    weights = floats(np.ones(quads)), floats(np.ones(len(given.triangles)))
-    standing = footing(surface, given.nodes, given.movable)
-    return descent.Ways(tangents, surface, standing), Elements(
-        given.quads, given.triangles, of_quads, of_triangles, *weights
-    )
+    tangents, facing = given.directions()
+    standing = footing(given.surface, given.nodes, given.movable)
+    weights = floats(np.ones(len(given.elements)))
+    return descent.Ways(tangents, given.surface, standing), Elements(given.elements, given.quads, facing, weights)

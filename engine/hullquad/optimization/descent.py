@@ -10,8 +10,8 @@ from typing import NamedTuple
 import numpy as np
 
 from hullquad.arrays import Floats, Longs
-from hullquad.metrics.compiled import compiled, woven
-from hullquad.optimization.energy import Elements, Energy, Rows, rows_of, total_at
+from hullquad.metrics.compiled import compiled, inlined, woven
+from hullquad.optimization.energy import Elements, Energy, rows_for, total_at
 from hullquad.optimization.facets import Facets
 from hullquad.optimization.footing import Footing, bring_back, face, turn
 from hullquad.optimization.rollback import HALVINGS, ROUNDS, hold_back
@@ -61,11 +61,11 @@ class Descent(NamedTuple):
     shares: Floats
     """(M,) part of its step that a node keeps."""
     openness: Floats
-    """(Q + T,) of the elements at the present iterate."""
+    """(E,) of the elements at the present iterate."""
     trial_openness: Floats
-    """(Q + T,)"""
+    """(E,)"""
     values: Floats
-    """(LOOK_BACK + 1,) the last energies, the newest at `counts[1] % (LOOK_BACK + 1)`."""
+    """(LOOK_BACK + 1,) the last energies, the newest at `counts[1] % (LOOK_BACK + 1)`; not a number when it begins."""
     counts: Longs
     """(3,) pairs in use, iterations since the start, pairs ever kept."""
 
@@ -86,16 +86,29 @@ def descent(points: Floats, movable: int, elements: int) -> Descent:
         shares=np.ones(movable),
         openness=np.ones(elements),
         trial_openness=np.ones(elements),
-        values=np.full(LOOK_BACK + 1, np.inf),
+        values=np.full(LOOK_BACK + 1, np.nan),
         counts=np.zeros(3, dtype=np.int64),
     )
+
+
+def looking(run: Descent) -> Descent:
+    """One that is only looked with, at the same points: it takes nothing of what the other remembers."""
+    values, counts = np.full_like(run.values, np.nan), np.zeros_like(run.counts)
+    openness = np.empty_like(run.openness)
+    return run._replace(gradient=run.trial_gradient, openness=openness, values=values, counts=counts)
 
 
 def begin(run: Descent) -> None:
     """Forget what was learnt: the next iterations begin anew where the nodes are, perhaps with another energy."""
     run.counts[:] = 0
-    run.values[:] = np.inf
-    run.values[0] = np.nan
+    run.values[:] = np.nan
+
+
+def look(run: Descent, ways: Ways, elements: Elements, energy: Energy) -> float:
+    """An energy where the nodes are; sets `openness` and `node_gradient`."""
+    begin(run)
+    iterate(run, ways, elements, energy, 0, 0.0)
+    return float(run.values[0])
 
 
 @compiled
@@ -104,10 +117,11 @@ def iterate(run: Descent, ways: Ways, elements: Elements, energy: Energy, iterat
 
     Returns GOING_ON, CONVERGED (the gain is small) or STUCK (no step makes it smaller).
     """
-    rows = rows_of(energy)
+    rows = rows_for(energy)
     if np.isnan(run.values[0]):
-        run.trial[:] = run.points
-        run.values[0] = _look(run, ways, elements, energy, rows, run.gradient)
+        value, _ = total_at(run.points, elements, energy, rows, run.openness, run.openness, run.node_gradient)
+        run.values[0] = value
+        _reduce(run.node_gradient, ways.tangents, run.gradient)
     for _ in range(iterations):
         if not _step(run, ways, elements, energy, rows):
             return STUCK
@@ -121,7 +135,7 @@ def iterate(run: Descent, ways: Ways, elements: Elements, energy: Energy, iterat
 
 
 @woven
-def _step(run: Descent, ways: Ways, elements: Elements, energy: Energy, rows: Rows) -> bool:
+def _step(run: Descent, ways: Ways, elements: Elements, energy: Energy, rows: Floats) -> bool:
     """One iteration; from the steepest descent again where the remembered steps lead nowhere."""
     while True:
         slope, longest = _aim(run, energy.size)
@@ -136,22 +150,22 @@ def _step(run: Descent, ways: Ways, elements: Elements, energy: Energy, rows: Ro
 @woven
 def _aim(run: Descent, size: float) -> tuple[float, float]:
     """Set the direction (Algorithm 7.4); gives the slope along it and its longest unknown."""
-    direction, alphas = run.direction, np.empty(PAIRS)
-    direction[:] = run.gradient
+    direction, steps, changes, curvatures = run.direction, run.unknown_steps, run.changes, run.curvatures
+    alphas, known, newest = np.empty(PAIRS), run.counts[0], run.counts[2] - 1
     scale = _FIRST * size * size
-    for back in range(run.counts[0]):
-        row = (run.counts[2] - 1 - back) % PAIRS
-        alphas[row] = run.curvatures[row] * _product(run.unknown_steps[row], direction)
-        _add(direction, -alphas[row], run.changes[row])
-    if run.counts[0] > 0:
-        last = (run.counts[2] - 1) % PAIRS
-        scale = 1.0 / (run.curvatures[last] * _product(run.changes[last], run.changes[last]))
-    for i in range(len(direction)):
-        direction[i] *= -scale
-    for back in range(run.counts[0] - 1, -1, -1):
-        row = (run.counts[2] - 1 - back) % PAIRS
-        beta = -run.curvatures[row] * _product(run.changes[row], direction)
-        _add(direction, beta - alphas[row], run.unknown_steps[row])
+    _scale(run.gradient, 1.0, direction)
+    for back in range(known):
+        row = (newest - back) % PAIRS
+        alphas[row] = curvatures[row] * _product(steps[row], direction)
+        _add(direction, -alphas[row], changes[row])
+    if known > 0:
+        last = newest % PAIRS
+        scale = 1.0 / (curvatures[last] * _product(changes[last], changes[last]))
+    _scale(direction, -scale, direction)
+    for back in range(known - 1, -1, -1):
+        row = (newest - back) % PAIRS
+        beta = -curvatures[row] * _product(changes[row], direction)
+        _add(direction, beta - alphas[row], steps[row])
     longest = 0.0
     for i in range(len(direction)):
         longest = max(longest, abs(direction[i]))
@@ -160,7 +174,7 @@ def _aim(run: Descent, size: float) -> tuple[float, float]:
 
 @woven
 def _search(
-    run: Descent, ways: Ways, elements: Elements, energy: Energy, rows: Rows, slope: float, longest: float
+    run: Descent, ways: Ways, elements: Elements, energy: Energy, rows: Floats, slope: float, longest: float
 ) -> bool:
     """Whether a step along the direction makes the energy smaller; leaves it in `trial` and `trial_gradient`."""
     before = run.values[run.counts[1] % (LOOK_BACK + 1)]
@@ -186,17 +200,21 @@ def _search(
 
 @woven
 def _try(
-    run: Descent, ways: Ways, elements: Elements, energy: Energy, rows: Rows, length: float, slope: float
+    run: Descent, ways: Ways, elements: Elements, energy: Energy, rows: Floats, length: float, slope: float
 ) -> tuple[float, bool, float]:
     """Energy a step away, whether all nodes made the whole step, and the slope times the step that was made."""
     _move(run.points, ways.tangents, run.direction, length, run.trial)
     value, is_whole = _settle(run, ways, elements, energy, rows)
     _reduce(run.node_gradient, ways.tangents, run.trial_gradient)
-    return value, is_whole, slope * length if is_whole else _slope_made(run, ways.tangents)
+    return (
+        value,
+        is_whole,
+        slope * length if is_whole else _slope_made(run.trial, run.points, ways.tangents, run.gradient),
+    )
 
 
 @woven
-def _settle(run: Descent, ways: Ways, elements: Elements, energy: Energy, rows: Rows) -> tuple[float, bool]:
+def _settle(run: Descent, ways: Ways, elements: Elements, energy: Energy, rows: Floats) -> tuple[float, bool]:
     """Energy of the trial, once no element is spoilt by it, and whether nothing had to be held back for that."""
     for round_ in range(ROUNDS):
         bring_back(ways.surface, ways.footing, run.trial)
@@ -207,34 +225,26 @@ def _settle(run: Descent, ways: Ways, elements: Elements, energy: Energy, rows: 
             return value, round_ == 0
         share = 0.5 if round_ < HALVINGS else 0.0
         hold_back(
-            run.points, run.trial, elements, run.openness, run.trial_openness, energy, share, run.shares
+            run.points, run.trial, elements.nodes, run.openness, run.trial_openness, energy.guard, energy.kept, share,
+            run.shares,
         )  # fmt: skip
     return np.inf, False
 
 
 @woven
-def _remember(run: Descent, ways: Ways, elements: Elements, energy: Energy, rows: Rows) -> None:
+def _remember(run: Descent, ways: Ways, elements: Elements, energy: Energy, rows: Floats) -> None:
     """Make the trial the present iterate and keep the step with its change of gradient."""
     row = run.counts[2] % PAIRS
     step, change = run.unknown_steps[row], run.changes[row]
-    for node in range(len(ways.tangents)):
-        for way in range(2):
-            made = 0.0
-            for axis in range(3):
-                made += (run.trial[node, axis] - run.points[node, axis]) * ways.tangents[node, way, axis]
-            step[2 * node + way] = made
-        for axis in range(3):
-            run.points[node, axis] = run.trial[node, axis]
-    run.openness[:] = run.trial_openness
+    _project(run.trial, run.points, ways.tangents, step)
+    _take(run.trial, run.points, run.trial_openness, run.openness)
     if len(ways.footing.at) > 0:
         turn(ways.footing, ways.tangents)
-        face(elements.quads, ways.footing.normals, elements.quad_normals)
-        face(elements.triangles, ways.footing.normals, elements.triangle_normals)
-        value = _look(run, ways, elements, energy, rows, run.trial_gradient)
+        face(elements.nodes, ways.footing.normals, elements.facing)
+        value, _ = total_at(run.points, elements, energy, rows, run.openness, run.openness, run.node_gradient)
         run.values[(run.counts[1] + 1) % (LOOK_BACK + 1)] = value
-    for i in range(len(change)):
-        change[i] = run.trial_gradient[i] - run.gradient[i]
-        run.gradient[i] = run.trial_gradient[i]
+        _reduce(run.node_gradient, ways.tangents, run.trial_gradient)
+    _change(run.trial_gradient, run.gradient, change)
     curvature, spread = _product(step, change), _product(change, change)
     if curvature > 1e-16 * spread * energy.size * energy.size:
         run.curvatures[row] = 1.0 / curvature
@@ -242,28 +252,50 @@ def _remember(run: Descent, ways: Ways, elements: Elements, energy: Energy, rows
         run.counts[0] = min(run.counts[0] + 1, PAIRS)
 
 
-@woven
-def _look(run: Descent, ways: Ways, elements: Elements, energy: Energy, rows: Rows, gradient: Floats) -> float:
-    """The energy where the nodes are, and its gradient."""
-    value, _ = total_at(run.points, elements, energy, rows, run.openness, run.openness, run.node_gradient)
-    _reduce(run.node_gradient, ways.tangents, gradient)
-    return value
-
-
-@compiled
-def _slope_made(run: Descent, tangents: Floats) -> float:
+@inlined
+def _slope_made(trial: Floats, points: Floats, tangents: Floats, gradient: Floats) -> float:
     """What the energy should change by in the step that is made, by its gradient."""
     total = 0.0
-    for node in range(len(tangents)):
-        for way in range(2):
-            made = 0.0
-            for axis in range(3):
-                made += (run.trial[node, axis] - run.points[node, axis]) * tangents[node, way, axis]
-            total += made * run.gradient[2 * node + way]
+    for unknown in range(len(gradient)):
+        total += _made(trial, points, tangents, unknown) * gradient[unknown]
     return total
 
 
-@compiled
+@inlined
+def _project(trial: Floats, points: Floats, tangents: Floats, step: Floats) -> None:
+    """The step that is made, by the unknowns."""
+    for unknown in range(len(step)):
+        step[unknown] = _made(trial, points, tangents, unknown)
+
+
+@inlined
+def _made(trial: Floats, points: Floats, tangents: Floats, unknown: int) -> float:
+    """What an unknown changes by in the step that is made."""
+    node, way, made = unknown // 2, unknown % 2, 0.0
+    for axis in range(3):
+        made += (trial[node, axis] - points[node, axis]) * tangents[node, way, axis]
+    return made
+
+
+@inlined
+def _take(trial: Floats, points: Floats, trial_openness: Floats, openness: Floats) -> None:
+    """Make the trial the present iterate."""
+    for node in range(len(points)):
+        for axis in range(3):
+            points[node, axis] = trial[node, axis]
+    for i in range(len(openness)):
+        openness[i] = trial_openness[i]
+
+
+@inlined
+def _change(trial_gradient: Floats, gradient: Floats, change: Floats) -> None:
+    """Take the gradient of the trial, and keep what has changed."""
+    for i in range(len(change)):
+        change[i] = trial_gradient[i] - gradient[i]
+        gradient[i] = trial_gradient[i]
+
+
+@inlined
 def _move(points: Floats, tangents: Floats, direction: Floats, length: float, moved: Floats) -> None:
     """Nodes a step along their tangents."""
     for node in range(len(tangents)):
@@ -272,7 +304,7 @@ def _move(points: Floats, tangents: Floats, direction: Floats, length: float, mo
             moved[node, axis] = points[node, axis] + first * tangents[node, 0, axis] + second * tangents[node, 1, axis]
 
 
-@compiled
+@inlined
 def _reduce(node_gradient: Floats, tangents: Floats, gradient: Floats) -> None:
     """Gradient by the unknowns from that by the points."""
     for node in range(len(tangents)):
@@ -283,7 +315,7 @@ def _reduce(node_gradient: Floats, tangents: Floats, gradient: Floats) -> None:
             gradient[2 * node + way] = total
 
 
-@compiled
+@inlined
 def _product(one: Floats, other: Floats) -> float:
     total = 0.0
     for i in range(len(one)):
@@ -291,7 +323,13 @@ def _product(one: Floats, other: Floats) -> float:
     return total
 
 
-@compiled
+@inlined
 def _add(to: Floats, factor: float, what: Floats) -> None:
     for i in range(len(to)):
         to[i] += factor * what[i]
+
+
+@inlined
+def _scale(what: Floats, factor: float, to: Floats) -> None:
+    for i in range(len(to)):
+        to[i] = factor * what[i]

@@ -12,7 +12,7 @@ from hullquad.metrics.program import Program, program
 from hullquad.metrics.slopes import slopes
 from hullquad.metrics.table_1 import scaled_jacobians
 from hullquad.optimization.demand import Demand
-from hullquad.optimization.energy import Energy
+from hullquad.optimization.energy import Code, Energy, code
 from hullquad.optimization.objective import Objective
 
 LEAST_GUARD = 0.05
@@ -30,9 +30,8 @@ _MARGIN = 0.3
 _ASIDE = 0.05
 """What the objective counts beside the demands."""
 _KEPT = 64
-
-_Pair = tuple[Program, Program]
-"""For quads, and for triangles."""
+_KEPT_PART = 0.4
+"""What an element below the guard must keep of its openness in one step."""
 
 
 def winslow(size: float, epsilon: float) -> Energy:
@@ -43,7 +42,7 @@ def winslow(size: float, epsilon: float) -> Energy:
     for its map from the equilateral one. Lengths are in units of the element size. Source: V. Garanzha et al.,
     "Foldover-free maps in 50 lines of code", ACM Trans. Graphics 40:102 (2021), Eqs. (3) to (5).
     """
-    return _energy(_winslow_programs(size), _NOTHING, -inf, (epsilon, epsilon), size, guard=-inf)
+    return Energy(_winslow_code(size), -inf, epsilon, epsilon, size, guard=-inf, kept=_KEPT_PART)
 
 
 def merit(objective: Objective, size: float, areas: Floats, doublings: int | None, floor: float | None) -> Energy:
@@ -54,27 +53,36 @@ def merit(objective: Objective, size: float, areas: Floats, doublings: int | Non
     stand-in has a low and weak one: an element on the brink of folding would hold its neighbours up.
     """
     level, weight = _level(floor, None if doublings is None else _BRINK[1] * 0.5 ** (doublings / 2))
-    programs, guard = _merit_programs(objective, doublings), max(floor or 0.0, LEAST_GUARD)
-    return _energy(programs, _low_programs(level, weight), level, _both(areas), size, guard)
+    steps = _merit_code(objective, doublings, level, weight)
+    return Energy(steps, level, *_both(areas), size, max(floor or 0.0, LEAST_GUARD), _KEPT_PART)
 
 
-def held_at(
-    objective: Objective, size: float, areas: Floats, doublings: int | None, worst: float, floor: float | None
-) -> Energy:
-    """What an objective loses, while no element gets worse than `worst` by its metric.
+def worst_first(metric: Metric, size: float, areas: Floats, doublings: int, power: int, floor: float | None) -> Energy:
+    """Sum over all elements of their distance from the ideal, times their weight, to the power 2^power.
 
-    With a `floor` that is for quads alone, and triangles are only held above the floor.
+    The greater the power, the more it is the worst element alone that counts: its limit is max-min. Weights are to be
+    those of `weight_at` the worst value. With a `floor` the sum is over the quads alone, and triangles are only held
+    above the floor.
     """
-    programs = _held_programs(objective, doublings, worst / objective.metric.factor, is_of_all=floor is None)
     level, weight = _BRINK if floor is None else (floor, _FLOOR_WEIGHT)
-    return _energy(programs, _low_programs(level, weight), level, _both(areas), size, guard=0.0, kept=1.0)
+    steps = _worst_code(metric, doublings, power, level, weight, is_of_all=floor is None)
+    return Energy(steps, level, *_both(areas), size, max(floor or 0.0, LEAST_GUARD), _KEPT_PART)
 
 
-def _energy(
-    programs: _Pair, low: _Pair, level: float, parameters: tuple[float, float], size: float, guard: float,
-    kept: float = 0.4,
-) -> Energy:  # fmt: skip
-    return Energy(*programs, *low, level, parameters, size, guard, kept)
+def held_at(objective: Objective, size: float, areas: Floats, doublings: int | None, floor: float | None) -> Energy:
+    """What an objective loses, while no element gets worse by its metric than the value that the weights are of.
+
+    Weights are to be those of `weight_at` that value. With a `floor` that is for quads alone, and triangles are only
+    held above the floor.
+    """
+    level, weight = _BRINK if floor is None else (floor, _FLOOR_WEIGHT)
+    steps = _held_code(objective, doublings, level, weight, is_of_all=floor is None)
+    return Energy(steps, level, *_both(areas), size, guard=0.0, kept=1.0)
+
+
+def weight_at(metric: Metric, value: float) -> float:
+    """1 over the distance of a value from the ideal [of the kernel]."""
+    return metric.factor / (value - metric.quads.ideal)
 
 
 def _both(areas: Floats) -> tuple[float, float]:
@@ -83,23 +91,26 @@ def _both(areas: Floats) -> tuple[float, float]:
 
 
 @lru_cache(_KEPT)
-def _held_programs(objective: Objective, doublings: int | None, worst: float, *, is_of_all: bool) -> _Pair:
+def _held_code(objective: Objective, doublings: int | None, level: float, weight: float, *, is_of_all: bool) -> Code:
     quad, triangle = Element(4, doublings), Element(3, doublings)
     metric = objective.metric
-    of_triangle = _room(triangle, metric, worst) if metric.holds_triangles and is_of_all else None
-    return (
-        _program(quad, _loss(objective, quad), _room(quad, metric, worst)),
-        _program(triangle, None, of_triangle),
+    of_triangle = _room(triangle, metric) if metric.holds_triangles and is_of_all else None
+    programs = _program(quad, _loss(objective, quad), _room(quad, metric)), _program(triangle, None, of_triangle)
+    return code((*programs, *_low_programs(level, weight)))
+
+
+def _room(element: Element, metric: Metric) -> Number:
+    """How far an element is from the worst value allowed, or from folding: below 0 beyond it."""
+    exact = Element(element.count)
+    exact.points, exact.facing, exact.reference = element.points, element.facing, element.reference  # the same inputs
+    return lesser(
+        1.0 - element.weight * _distance(metric, exact), reduce(lesser, scaled_jacobians(exact)) - LEAST_GUARD
     )
 
 
-def _room(element: Element, metric: Metric, worst: float) -> Number:
-    """How far an element is from the worst value allowed, or from folding: below 0 beyond it."""
-    ideal = metric.quads.ideal / metric.factor
-    exact = Element(element.count)
-    exact.points, exact.facing, exact.reference = element.points, element.facing, element.reference  # the same inputs
-    distance = (1.0 / (worst - ideal)) * (formulas.value(metric, exact) - ideal)
-    return lesser(1.0 - distance, reduce(lesser, scaled_jacobians(exact)) - LEAST_GUARD)
+def _distance(metric: Metric, element: Element) -> Number:
+    """From the ideal, with its sign [of the kernel]."""
+    return formulas.value(metric, element) - metric.quads.ideal / metric.factor
 
 
 def chasing(
@@ -111,19 +122,22 @@ def chasing(
     its weight: the smaller the softness, the nearer to a count.
     """
     level, weight = _level(floor, _BRINK[1])
-    programs, guard = _chasing_programs(demands, objective, softness), max(floor or 0.0, LEAST_GUARD)
-    return _energy(programs, _low_programs(level, weight), level, _both(areas), size, guard)
+    steps = _chasing_code(demands, objective, softness, level, weight)
+    return Energy(steps, level, *_both(areas), size, max(floor or 0.0, LEAST_GUARD), _KEPT_PART)
 
 
 @lru_cache(_KEPT)
-def _chasing_programs(demands: tuple[Demand, ...], objective: Objective, softness: float) -> _Pair:
+def _chasing_code(
+    demands: tuple[Demand, ...], objective: Objective, softness: float, level: float, weight: float
+) -> Code:
     quad, triangle = Element(4, _CHASED), Element(3, _CHASED)
     of_quads = [_cost(quad, demand, softness) for demand in demands if demand.is_of_quads]
     of_triangles = [_cost(triangle, demand, softness) for demand in demands if demand.is_of_triangles]
-    return (
+    programs = (
         _program(quad, reduce(add, of_quads, _ASIDE * _loss(objective, quad))),
         _program(triangle, reduce(add, of_triangles) if of_triangles else None),
     )
+    return code((*programs, *_low_programs(level, weight)))
 
 
 def _cost(element: Element, demand: Demand, softness: float) -> Number:
@@ -133,45 +147,31 @@ def _cost(element: Element, demand: Demand, softness: float) -> Number:
     return choice(beyond, demand.weight * element.weight * (square / (square + softness**2)), 0.0)
 
 
-def worst_first(
-    metric: Metric, size: float, areas: Floats, doublings: int, power: int, worst: float, floor: float | None
-) -> Energy:
-    """Sum over all elements of their distance from the ideal, over that of `worst`, to the power 2^power.
-
-    The greater the power, the more it is the worst element alone that counts: its limit is max-min. With a `floor`
-    the sum is over the quads alone, and triangles are only held above the floor.
-    """
-    programs = _worst_programs(metric, doublings, power, worst / metric.factor, is_of_all=floor is None)
-    level, weight = _BRINK if floor is None else (floor, _FLOOR_WEIGHT)
-    return _energy(programs, _low_programs(level, weight), level, _both(areas), size, max(floor or 0.0, LEAST_GUARD))
-
-
 @lru_cache(_KEPT)
-def _worst_programs(metric: Metric, doublings: int, power: int, worst: float, *, is_of_all: bool) -> _Pair:
-    ideal = metric.quads.ideal / metric.factor
+def _worst_code(metric: Metric, doublings: int, power: int, level: float, weight: float, *, is_of_all: bool) -> Code:
     quad, triangle = Element(4, doublings), Element(3, doublings)
 
     def loss(element: Element) -> Number:
-        distance = (1.0 / (worst - ideal)) * (formulas.value(metric, element) - ideal)
+        distance = element.weight * _distance(metric, element)
         for _ in range(power):
             distance = distance * distance
         return distance
 
-    return _program(quad, loss(quad)), _program(
-        triangle, loss(triangle) if metric.holds_triangles and is_of_all else None
-    )
+    of_triangle = loss(triangle) if metric.holds_triangles and is_of_all else None
+    return code((_program(quad, loss(quad)), _program(triangle, of_triangle), *_low_programs(level, weight)))
 
 
 @lru_cache(_KEPT)
-def _winslow_programs(size: float) -> _Pair:
+def _winslow_code(size: float) -> Code:
     quad, triangle = Element(4), Element(3)
-    return _program(quad, _winslow(quad, size)), _program(triangle, _winslow(triangle, size))
+    programs = _program(quad, _winslow(quad, size)), _program(triangle, _winslow(triangle, size))
+    return code((*programs, *_low_programs(0.0, 0.0)))
 
 
 @lru_cache(_KEPT)
-def _merit_programs(objective: Objective, doublings: int | None) -> _Pair:
+def _merit_code(objective: Objective, doublings: int | None, level: float, weight: float) -> Code:
     quad = Element(4, doublings)
-    return _program(quad, _loss(objective, quad)), _program(Element(3), None)
+    return code((_program(quad, _loss(objective, quad)), _program(Element(3), None), *_low_programs(level, weight)))
 
 
 def _level(floor: float | None, brink: float | None) -> tuple[float, float]:
@@ -182,11 +182,11 @@ def _level(floor: float | None, brink: float | None) -> tuple[float, float]:
 
 
 @lru_cache(_KEPT)
-def _low_programs(level: float, weight: float) -> _Pair:
+def _low_programs(level: float, weight: float) -> tuple[Program, Program]:
     """What corners of quads and of triangles below a level cost."""
-    if weight == 0.0:
-        return _NOTHING
     quad, triangle = Element(4), Element(3)
+    if weight == 0.0:
+        return _program(quad, None), _program(triangle, None)
     return _program(quad, _below(quad, level, weight)), _program(triangle, _below(triangle, level, weight))
 
 
@@ -236,7 +236,3 @@ def _program(element: Element, value: Number | None, openness: Number | None = N
     by_sides = slopes(value, element.sides)
     by_nodes = [element.shrinking * (by_sides[node - 1] - by_sides[node]) for node in range(element.count)]
     return program([value, openness, *by_nodes], inputs)
-
-
-_NOTHING = _program(Element(4), None), _program(Element(3), None)
-"""Programs of what costs nothing."""

@@ -4,40 +4,59 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hullquad.arrays import Floats, Ints
-from hullquad.metrics import kernels
-from hullquad.metrics.compiled import compiled, inlined, woven
+from hullquad.arrays import Floats, Ints, floats, ints
+from hullquad.metrics.compiled import compiled, inlined
 from hullquad.metrics.machine import run
 from hullquad.metrics.program import LANES, Program
 
+_LINE = 8
+"""Numbers in a cache line."""
+_FACING, _REFERENCE, _WEIGHT, _VALUE, _OPENNESS, _SLOPES = 4, 5, 6, 7, 8, 9
+"""Columns of `Code.ports` after those of the nodes."""
+
 
 class Elements(NamedTuple):
-    """The elements of a problem, with the directions that they must face: (1, 3), or one for each."""
+    """The elements of a problem, and the directions that they must face."""
 
-    quads: Ints
-    """(Q, 4)"""
-    triangles: Ints
-    """(T, 3)"""
-    quad_normals: Floats
-    triangle_normals: Floats
-    quad_weights: Floats
-    """(Q,) last input of the programs: how much each element counts in some energies."""
-    triangle_weights: Floats
-    """(T,)"""
+    nodes: Ints
+    """(E, 4) quads first; a triangle ends with -1."""
+    quads: int
+    """How many are quads."""
+    facing: Floats
+    """(1, 3), or (E, 3) one for each."""
+    weights: Floats
+    """(E,) last input of the programs: how much each element counts in some energies."""
+
+
+class Code(NamedTuple):
+    """Four programs in one: for quads, for triangles, and for those of either that have little openness.
+
+    Each gives value, openness, and slopes by the nodes if it has any.
+    """
+
+    steps: Ints
+    """(S, 7) of all programs."""
+    firsts: Ints
+    """(5,) where those of each begin, and the end."""
+    ports: Ints
+    """(4, 13) rows of each program's inputs (four nodes, facing, reference, weight) and outputs; -1 for none."""
+    constants: Floats
+    """(C,)"""
+    constant_rows: Ints
+    """(C,)"""
+    length: int
+    """Numbers in all rows."""
 
 
 class Energy(NamedTuple):
-    """What quads and what triangles cost; each program gives value, openness, and slopes by the nodes if it has any."""
+    """What elements cost."""
 
-    quads: Program
-    triangles: Program
-    low_quads: Program
-    """What quads of little openness cost besides: run for blocks that have some."""
-    low_triangles: Program
+    code: Code
     low: float
-    """Openness from which on they cost nothing besides."""
-    parameters: tuple[float, float]
-    """Reference input of the programs for quads, and of those for triangles."""
+    """Openness from which on elements cost nothing by the programs for little openness."""
+    of_quads: float
+    """Reference input of the programs for quads."""
+    of_triangles: float
     size: float
     """Element size [mm]."""
     guard: float
@@ -46,128 +65,121 @@ class Energy(NamedTuple):
     """Part of its openness that an element below the guard must keep in one step."""
 
 
-class Rows(NamedTuple):
-    """What the programs of an energy work on, constants and parameters in place."""
-
-    quads: Floats
-    triangles: Floats
-    low_quads: Floats
-    low_triangles: Floats
-
-
-@woven
-def rows_of(energy: Energy) -> Rows:
-    """Rows for the programs of an energy."""
-    of_quads, of_triangles = energy.parameters
-    return Rows(
-        _rows(energy.quads, of_quads), _rows(energy.triangles, of_triangles),
-        _rows(energy.low_quads, of_quads), _rows(energy.low_triangles, of_triangles),
-    )  # fmt: skip
+def code(programs: tuple[Program, Program, Program, Program]) -> Code:
+    """Four programs in one, on rows of their own."""
+    shifts = np.cumsum([0, *(program.length for program in programs)])
+    pairs = list(zip(programs, shifts.tolist(), strict=False))
+    return Code(
+        ints(np.concatenate([program.steps + np.array([0, *[shift] * 6]) for program, shift in pairs])),
+        ints(np.cumsum([0, *(len(program.steps) for program in programs)])),
+        ints([_ports(program, shift) for program, shift in pairs]),
+        floats(np.concatenate([program.constants for program in programs])),
+        ints(np.concatenate([program.constant_rows + shift for program, shift in pairs])),
+        int(shifts[-1]),
+    )
 
 
-@compiled
-def energy_at(
-    points: Floats, elements: Elements, energy: Energy, before: Floats, openness: Floats, gradient: Floats
-) -> tuple[float, bool]:
-    """The energy, and whether a step to here would spoil an element.
+def _ports(program: Program, shift: int) -> list[int]:
+    *nodes, facing, reference, weight = program.inputs.tolist()
+    value, openness, *by_nodes = program.outputs.tolist()
+    rows = [*_padded(nodes), facing, reference, weight, value, openness, *_padded(by_nodes)]
+    return [row + shift if row >= 0 else -1 for row in rows]
 
-    `before` and `openness` (Q + T,) are the elements' openness where the step began, and here; the gradient by the
-    points is written to `gradient` (K, 3).
-    """
-    return total_at(points, elements, energy, rows_of(energy), before, openness, gradient)
+
+def _padded(rows: list[int]) -> list[int]:
+    return [*rows, *[-1] * (4 - len(rows))]
+
+
+@inlined
+def rows_for(energy: Energy) -> Floats:
+    """Rows for the programs to work on, constants and references in place, beginning where a cache line does."""
+    code = energy.code
+    room = np.empty(code.length + _LINE)
+    first = -(room.ctypes.data // room.itemsize) % _LINE
+    rows = room[first : first + code.length]
+    for program in range(4):
+        for port in range(_VALUE):
+            if code.ports[program, port] >= 0:
+                value = 0.0  # lanes without an element work on it
+                if port == _REFERENCE:
+                    value = energy.of_quads if program % 2 == 0 else energy.of_triangles
+                for i in range(LANES if port > _FACING else 3 * LANES):
+                    rows[code.ports[program, port] + i] = value
+    for k in range(len(code.constants)):
+        for i in range(LANES):
+            rows[code.constant_rows[k] + i] = code.constants[k]
+    return rows
 
 
 @compiled
 def total_at(
-    points: Floats, elements: Elements, energy: Energy, rows: Rows, before: Floats, openness: Floats, gradient: Floats
+    points: Floats, elements: Elements, energy: Energy, rows: Floats, before: Floats, openness: Floats, gradient: Floats
 ) -> tuple[float, bool]:
-    """The same on rows that are there already."""
-    gradient[:] = 0.0
-    quads = len(elements.quads)
-    of_quads, spoils = _sum_over(
-        energy.quads, energy.low_quads, rows.quads, rows.low_quads, points, elements.quads, elements.quad_normals,
-        elements.quad_weights, energy.low, energy.guard, energy.kept, before[:quads], openness[:quads], gradient,
-    )  # fmt: skip
-    of_triangles, spoils_too = _sum_over(
-        energy.triangles, energy.low_triangles, rows.triangles, rows.low_triangles, points, elements.triangles,
-        elements.triangle_normals, elements.triangle_weights, energy.low, energy.guard, energy.kept,
-        before[quads:], openness[quads:], gradient,
-    )  # fmt: skip
-    total = of_quads + of_triangles
-    return (total if np.isfinite(total) else np.inf), spoils or spoils_too
+    """The energy, and whether a step to here would spoil an element.
 
-
-@compiled
-def _sum_over(
-    program: Program, low_program: Program, rows: Floats, low_rows: Floats, points: Floats, elements: Ints,
-    normals: Floats, weights: Floats, low: float, guard: float, kept: float, before: Floats, openness: Floats,
-    gradient: Floats,
-) -> tuple[float, bool]:  # fmt: skip
-    """The energy of elements of one kind."""
+    `before` and `openness` (E,) are the elements' openness where the step began, and here; the gradient by the points
+    is written to `gradient` (K, 3).
+    """
+    for node in range(len(gradient)):
+        gradient[node, 0] = gradient[node, 1] = gradient[node, 2] = 0.0
     total, spoils = 0.0, False
-    for start in range(0, len(elements), LANES):
-        filled = min(LANES, len(elements) - start)
-        total += _run(program, rows, points, elements, normals, weights, start, filled, gradient)
-        is_low = False
-        for i in range(filled):
-            openness[start + i] = rows[program.outputs[1] + i]
-            is_low |= not openness[start + i] >= low
-            spoils |= is_spoilt(before[start + i], openness[start + i], guard, kept)
-        if is_low:
-            total += _run(low_program, low_rows, points, elements, normals, weights, start, filled, gradient)
-    return total, spoils
-
-
-@compiled
-def _run(
-    program: Program, rows: Floats, points: Floats, elements: Ints, normals: Floats, weights: Floats,
-    start: int, filled: int, gradient: Floats,
-) -> float:  # fmt: skip
-    """The energy of a block of elements; adds its slopes to the gradient."""
-    _lay_out(program, rows, points, elements, normals, weights, start, filled)
-    run(program.steps, rows)
-    total = 0.0
-    for i in range(filled):
-        total += rows[program.outputs[0] + i]
-    for node in range(len(program.outputs) - 2):
-        row = program.outputs[2 + node]
-        for i in range(filled):
-            at = elements[start + i, node]
-            for axis in range(3):
-                gradient[at, axis] += rows[row + axis * LANES + i]
-    return total
+    for kind in range(2):
+        first, end = (0, elements.quads) if kind == 0 else (elements.quads, len(elements.nodes))
+        for start in range(first, end, LANES):
+            filled, is_low = min(LANES, end - start), False
+            for program in range(kind, 4, 2):
+                if program < 2 or is_low:
+                    _lay_out(points, elements, energy.code.ports, program, rows, start, filled)
+                    run(energy.code.steps[energy.code.firsts[program] : energy.code.firsts[program + 1]], rows)
+                    total += _gather(elements, energy.code.ports, program, rows, start, filled, gradient)
+                if program < 2:
+                    row = energy.code.ports[program, _OPENNESS]
+                    for i in range(filled):
+                        openness[start + i] = rows[row + i]
+                        is_low |= not rows[row + i] >= energy.low
+                        spoils |= is_spoilt(before[start + i], rows[row + i], energy.guard, energy.kept)
+    return (total if -np.inf < total < np.inf else np.inf), spoils
 
 
 @inlined
 def _lay_out(
-    program: Program, rows: Floats, points: Floats, elements: Ints, normals: Floats, weights: Floats,
-    start: int, filled: int,
-) -> None:  # fmt: skip
+    points: Floats, elements: Elements, ports: Ints, program: int, rows: Floats, start: int, filled: int
+) -> None:
     """Lay out what differs between the elements of a block: points, what they must face, their weights."""
-    nodes, each = elements.shape[1], len(normals) > 1
-    for node in range(nodes + 1):
-        row = program.inputs[node]
+    for corner in range(4):
+        row = ports[program, corner]
         if row >= 0:
             for i in range(filled):
+                node = elements.nodes[start + i, corner]
                 for axis in range(3):
-                    at = row + axis * LANES + i
-                    if node < nodes:
-                        rows[at] = points[elements[start + i, node], axis]
-                    else:
-                        rows[at] = normals[start + i if each else 0, axis]
-    row = program.inputs[nodes + 2]
+                    rows[row + axis * LANES + i] = points[node, axis]
+    row = ports[program, _FACING]
     if row >= 0:
         for i in range(filled):
-            rows[row + i] = weights[start + i]
-
-
-@compiled
-def _rows(program: Program, parameter: float) -> Floats:
-    """Rows for a program to work on, with the value of the input that is the same for all elements."""
-    rows, row = kernels.rows_of(program), program.inputs[len(program.inputs) - 2]
+            for axis in range(3):
+                rows[row + axis * LANES + i] = elements.facing[start + i if len(elements.facing) > 1 else 0, axis]
+    row = ports[program, _WEIGHT]
     if row >= 0:
-        rows[row : row + LANES] = parameter
-    return rows
+        for i in range(filled):
+            rows[row + i] = elements.weights[start + i]
+
+
+@inlined
+def _gather(
+    elements: Elements, ports: Ints, program: int, rows: Floats, start: int, filled: int, gradient: Floats
+) -> float:
+    """The energy of a block of elements; adds its slopes to the gradient."""
+    total = 0.0
+    for i in range(filled):
+        total += rows[ports[program, _VALUE] + i]
+    for corner in range(4):
+        row = ports[program, _SLOPES + corner]
+        if row >= 0:
+            for i in range(filled):
+                node = elements.nodes[start + i, corner]
+                for axis in range(3):
+                    gradient[node, axis] += rows[row + axis * LANES + i]
+    return total
 
 
 @inlined

@@ -45,7 +45,7 @@ def bring_back(surface: Facets, footing: Footing, points: Floats) -> None:
         _stand(surface, footing, points, node, facet, shares)
 
 
-@compiled
+@inlined
 def _foot(surface: Facets, facet: int, point: Vector) -> tuple[Vector, float]:
     """Shares of a facet's corners in its point nearest to another one, and the square of the distance."""
     a, b = vector(surface.points, surface.triangles[facet, 0]), vector(surface.points, surface.triangles[facet, 1])
@@ -87,11 +87,11 @@ def _stand(surface: Facets, footing: Footing, points: Floats, node: int, facet: 
         points[node, axis], footing.trial_normals[node, axis] = place, normal
 
 
-@compiled
+@inlined
 def turn(footing: Footing, tangents: Floats) -> None:
     """Make the trial the place where the nodes stand: turn what they move along (M, 2, 3) into the surface there."""
-    footing.at[:] = footing.trial_at
     for node in range(len(tangents)):
+        footing.at[node] = footing.trial_at[node]
         normal = unit(vector(footing.trial_normals, node))
         first = vector(tangents[node], 0)
         first = unit(moved(first, -dot(first, normal), normal))
@@ -101,14 +101,15 @@ def turn(footing: Footing, tangents: Floats) -> None:
             tangents[node, 0, axis], tangents[node, 1, axis] = first[axis], second[axis]
 
 
-@compiled
+@inlined
 def face(elements: Ints, normals: Floats, facing: Floats) -> None:
-    """Set what elements must face (E, 3): the mean of the normals at their nodes."""
+    """Set what elements (E, 4) must face (E, 3): the mean of the normals at their nodes."""
     for i in range(len(elements)):
         for axis in range(3):
             facing[i, axis] = 0.0
-            for corner in range(elements.shape[1]):
-                facing[i, axis] += normals[elements[i, corner], axis]
+            for corner in range(4):
+                if elements[i, corner] >= 0:
+                    facing[i, axis] += normals[elements[i, corner], axis]
         direction = unit(vector(facing, i))
         for axis in range(3):
             facing[i, axis] = direction[axis]

@@ -31,14 +31,12 @@ class Problem:
     """Number of nodes that may move: the first ones."""
     points: Floats = attrs.field(converter=floats)
     """(K, 3) [mm]"""
-    quads: Ints = attrs.field(converter=ints)
-    """(Q, 4)"""
-    triangles: Ints = attrs.field(converter=ints)
-    """(T, 3)"""
-    quad_rows: Longs = attrs.field(converter=longs)
-    """(Q,) their rows in the mesh."""
-    triangle_rows: Longs = attrs.field(converter=longs)
-    """(T,)"""
+    elements: Ints = attrs.field(converter=ints)
+    """(E, 4) quads first; a triangle ends with -1."""
+    quads: int
+    """How many of them are quads."""
+    rows: Longs = attrs.field(converter=longs)
+    """(E,) their rows in the mesh."""
     turned: Bools = attrs.field(converter=bools)
     """(E,) elements of the mesh that run against their neighbours and are seen here the other way round."""
     surface: Facets
@@ -61,7 +59,7 @@ class Problem:
         return self.mesh.with_parameters(on_lines(self.mesh, parameters))
 
     def directions(self) -> tuple[Floats, Floats]:
-        """Unit vectors (movable, 2, 3) that nodes may move along at first, and (1 or Q + T, 3) element normals.
+        """Unit vectors (movable, 2, 3) that nodes may move along at first, and (1 or E, 3) element normals.
 
         Where there is only one way to go the second vector is zero. Both arrays may be written to.
         """
@@ -73,8 +71,8 @@ class Problem:
             ways[slides, 0, :2] = line_directions(self.mesh)[self.mesh.topology.node_lines[self.nodes[slides]]]
             return ways, np.array([_UP])
         normals = self.surface.normals[self.nodes]
-        corners = [normals[elements].sum(axis=1) for elements in (self.quads, self.triangles)]
-        return _tangents(normals[: self.movable]), _units(np.concatenate(corners))
+        padded = np.concatenate([normals, np.zeros((1, 3))])
+        return _tangents(normals[: self.movable]), _units(padded[self.elements].sum(axis=1))
 
 
 def problem(mesh: Mesh, chosen: Bools | None = None) -> Problem:
@@ -97,15 +95,15 @@ def problem(mesh: Mesh, chosen: Bools | None = None) -> Problem:
     rows[nodes] = np.arange(len(nodes))
     renumbered = rows[elements]
     quads, triangles = _sorted(renumbered[:, 3] >= 0, renumbered), _sorted(renumbered[:, 3] < 0, renumbered)
+    order = np.concatenate([quads, triangles])
     return Problem(
         mesh=mesh,
         nodes=nodes,
         movable=int(may_move.sum()),
         points=points[nodes],
-        quads=renumbered[quads],
-        triangles=renumbered[triangles, :3],
-        quad_rows=touched[quads],
-        triangle_rows=touched[triangles],
+        elements=renumbered[order],
+        quads=len(quads),
+        rows=touched[order],
         turned=turned,
         surface=facets(mesh.points, all_elements) if flat is None else NO_FACETS,
     )

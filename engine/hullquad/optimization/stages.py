@@ -47,7 +47,7 @@ def evened(course: Course) -> Iterator[str]:
 def continued(course: Course, objective: Objective, settings: SearchSettings) -> Iterator[str]:
     """Make the objective better by stand-ins that come ever closer to it."""
     mesh, schedule = course.problem.mesh, settings.schedule
-    gain = schedule.gain * len(course.problem.quads)
+    gain = schedule.gain * course.problem.quads
     for doublings in schedule.doublings:
         energy = energies.merit(objective, mesh.target_size, mesh.areas, doublings, settings.floor)
         for _ in course.stage(energy, schedule.most, gain):
@@ -63,13 +63,17 @@ def raised(course: Course, objective: Objective, settings: SearchSettings) -> It
         if worst == metric.quads.ideal or course.is_complete:
             break
         doublings = min(power + _SHARPER, _MOST_DOUBLINGS)
-        energy = energies.worst_first(metric, mesh.target_size, mesh.areas, doublings, power, worst, floor)
+        course.weigh(np.full(len(mesh.topology.elements), energies.weight_at(metric, worst)))
+        energy = energies.worst_first(metric, mesh.target_size, mesh.areas, doublings, power, floor)
         for _ in course.stage(energy, _RAISING, _RAISING_GAIN):
             yield "worst first"
     worst, schedule = worst_value(course, metric, settings), settings.schedule
-    for doublings in schedule.doublings if worst != metric.quads.ideal else ():
-        energy = energies.held_at(objective, mesh.target_size, mesh.areas, doublings, worst, floor)
-        for _ in course.stage(energy, schedule.most, schedule.gain * len(course.problem.quads)):
+    if worst == metric.quads.ideal:
+        return
+    course.weigh(np.full(len(mesh.topology.elements), energies.weight_at(metric, worst)))
+    for doublings in schedule.doublings:
+        energy = energies.held_at(objective, mesh.target_size, mesh.areas, doublings, floor)
+        for _ in course.stage(energy, schedule.most, schedule.gain * course.problem.quads):
             yield f"then the sum, p = {2**doublings}"
 
 
@@ -78,7 +82,7 @@ def mended(course: Course, asked: tuple[Demand, ...], objective: Objective, sett
     mesh = course.problem.mesh
     for softness in _SOFTNESS if asked else ():
         energy = energies.chasing(asked, objective, mesh.target_size, mesh.areas, softness, settings.floor)
-        for _ in course.stage(energy, _MENDING, settings.schedule.gain * len(course.problem.quads)):
+        for _ in course.stage(energy, _MENDING, settings.schedule.gain * course.problem.quads):
             yield "fewest violations"
 
 

@@ -67,10 +67,14 @@ def _next(epsilon: float, least: float, share: float) -> float:
 
 def _least_jacobian(course: Course) -> float:
     """Least corner Jacobian of all elements, seen against what they must face [element size squared]."""
-    known = course.elements
-    pairs = ((known.quads, known.quad_normals), (known.triangles, known.triangle_normals))
-    found = [_jacobians(course.points, elements, normals).min(initial=np.inf) for elements, normals in pairs]
-    return float(min(found)) / course.problem.size**2
+    known, size = course.elements, course.problem.size
+    parts = known.nodes[: known.quads], known.nodes[known.quads :, :3]
+    facing = np.broadcast_to(known.facing, (len(known.nodes), 3))
+    found = [
+        _jacobians(course.points, elements, normals).min(initial=np.inf)
+        for elements, normals in zip(parts, (facing[: known.quads], facing[known.quads :]), strict=True)
+    ]
+    return float(min(found)) / size**2
 
 
 def _jacobians(points: Floats, elements: Ints, normals: Floats) -> Floats:
