@@ -6,7 +6,7 @@ regions with an odd contour (`parity`), those first whose segments stay nearest 
 """
 
 from collections.abc import Iterator, Mapping
-from math import inf, log, sqrt
+from math import log, sqrt
 
 import numpy as np
 
@@ -85,30 +85,28 @@ class _Rows:
                 self._settled[row] = True
 
     def even(self) -> None:
-        """Change rows by one segment wherever that leaves fewer odd regions."""
+        """Change rows, or single pieces of them, by one segment wherever that leaves fewer odd regions."""
         regions = int(self._around.regions.max()) + 1
         counts = np.bincount(self._around.regions, self._of_sides(self.numbers), minlength=regions).astype(np.int64)
-        choices = [choice for row in np.unique(self._row[self._row >= 0]) if (choice := self._choice(int(row)))]
+        rows = [self._members(row) for row in np.unique(self._row[self._row >= 0]).tolist()]
+        singles = [longs([piece]) for members in rows if len(members) > 1 for piece in members.tolist()]
+        choices = [choice for members in (*rows, *singles) if (choice := self._choice(members)) is not None]
         ways = [(one, other, weight) for (one, other), weight, _, _ in choices]
         reluctance = dict.fromkeys(self._around.four_sided, _GRID_LOST)
-        for way in parity.changes(regions, np.flatnonzero(counts % 2).tolist(), ways, reluctance):
-            _, _, row, number = choices[way]
-            self.numbers[self._members(row)] = number
+        for way in sorted(parity.changes(regions, np.flatnonzero(counts % 2).tolist(), ways, reluctance)):
+            _, _, members, step = choices[way]
+            self.numbers[members] += step if (self.numbers[members] + step > 0).all() else -step
 
-    def _choice(self, row: int) -> tuple[tuple[int, int], float, int, int] | None:
-        """The two regions that a change of a row makes odd or even, its weight, the row and its new number."""
-        members = self._members(row)
+    def _choice(self, members: Longs) -> tuple[tuple[int, int], float, Longs, int] | None:
+        """The two regions that one segment more or fewer of pieces makes odd or even, its weight, and the step."""
         sides = np.concatenate([members, members + len(self.numbers)]) + self._around.contour
-        touched = np.bincount(self._around.regions[sides])
-        flipped = np.flatnonzero(touched % 2)
+        flipped = np.flatnonzero(np.bincount(self._around.regions[sides]) % 2)
         if len(flipped) != 2:
             return None
         before = int(self.numbers[members[0]])
-        weight, number = min(
-            (sum(self._misfit(members, number)) if number else inf, number) for number in (before + 1, before - 1)
-        )
-        lost = sum(self._loses_grid(region, members, number) for region in flipped.tolist())
-        return (int(flipped[0]), int(flipped[1])), weight + _GRID_LOST * lost + _LEAST, row, number
+        weight, step = min((sum(self._misfit(members, before + step)), step) for step in (1, -1) if before + step)
+        lost = sum(self._loses_grid(region, members, before + step) for region in flipped.tolist())
+        return (int(flipped[0]), int(flipped[1])), weight + _GRID_LOST * lost + _LEAST, members, step
 
     def _loses_grid(self, region: int, members: Longs, number: int) -> bool:
         """Whether opposite sides of a region agree, but would not with another number of segments of a row."""
