@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QApplication
 
 from hullquad import __version__
 from hullquad_app.faults import Faults
+from hullquad_app.garbage import Garbage
 from hullquad_app.logs import log_folder, start_logging
 from hullquad_app.session import Session
 from hullquad_app.window import MainWindow
@@ -32,11 +33,12 @@ def show(files: Sequence[str], watch: Callable[[MainWindow], object] = lambda _:
     start_logging(log_folder())
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # Ctrl+C in the terminal; Qt's loop would never look
     window = MainWindow(Session())
-    faults = Faults(window)
+    faults, garbage = Faults(window), Garbage(application)
     watch(window)
     window.show()
     QTimer.singleShot(0, partial(window.start, Path(files[0]) if files else None))
     code = application.exec()
     window.stop()
     faults.release()
+    garbage.release()
     return code

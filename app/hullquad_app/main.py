@@ -1,6 +1,7 @@
 """The command `hullquad`: the engine's subcommands, or the window."""
 
 import argparse
+import gc
 import os
 import sys
 from collections.abc import Sequence
@@ -42,6 +43,7 @@ def _run(words: Sequence[str]) -> int:
     if obstacle:
         print(f"hullquad: {obstacle}", file=sys.stderr)  # noqa: T201  (a terminal is all there is)
         return 1
+    gc.disable()  # until the window is there, which collects itself
     with ending_at_once():
         import hullquad.optimizers  # noqa: F401, PLC0415  with NumPy; once Qt is there every import takes longer
         from hullquad_app.application import show  # noqa: PLC0415

@@ -15,7 +15,16 @@ from hullquad.metrics import metric
 from hullquad.optimization.paper import paper_iterates
 from hullquad.surface import Plane
 from hullquad.topology import NodeState, topology
+from hullquad_app.garbage import Garbage
 from hullquad_app.track import Track
+
+
+@pytest.fixture(scope="session", autouse=True)
+def collector(qapp):
+    """As in the program: sessions and windows that tests have left end in no thread but this one."""
+    garbage = Garbage(qapp)
+    yield
+    garbage.release()
 
 
 @pytest.fixture(scope="session")

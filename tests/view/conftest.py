@@ -19,6 +19,7 @@ from hullquad.optimization.paper import unmoved
 from hullquad.triangulation.contour import contours
 from hullquad_app.canvas import Canvas
 from hullquad_app.document import Document
+from hullquad_app.garbage import Garbage
 from hullquad_app.scene import State
 from hullquad_app.track import Track
 
@@ -29,6 +30,14 @@ PLATES = Path(__file__).parents[2] / "assets" / "plates"
 def smooth_at_rest(monkeypatch):
     """The view is smoothed at rest, however busy the machine."""
     monkeypatch.setattr("hullquad_app.canvas.pane._AFFORDABLE", math.inf)
+
+
+@pytest.fixture(scope="session", autouse=True)
+def collector(qapp):
+    """As in the program: windows that tests have left end in no thread but this one."""
+    garbage = Garbage(qapp)
+    yield
+    garbage.release()
 
 
 @pytest.fixture(scope="session")
