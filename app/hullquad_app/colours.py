@@ -39,7 +39,9 @@ class Palette:
     dim: str
     """Text that stands back: captions, units."""
     rule: str
-    """Lines that part and frame."""
+    """Lines that part."""
+    frame: str
+    """Of boxes and buttons; Qt's style draws it darker by two fifths."""
     accent: str
     edge: str
     """Edges of elements."""
@@ -64,6 +66,7 @@ LIGHT = Palette(
     text="#1B2430",
     dim="#5B6776",
     rule="#D5DBE1",
+    frame="#D5DBE1",
     accent="#0B62A4",
     edge="#3A444F",
     contour="#0E1620",
@@ -82,6 +85,7 @@ DARK = Palette(
     text="#E6EAEE",
     dim="#98A3AE",
     rule="#3A424B",
+    frame="#8A97A5",
     accent="#4FA3E0",
     edge="#12161A",
     contour="#F2F4F6",

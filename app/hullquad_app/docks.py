@@ -54,10 +54,10 @@ class Docks(QObject):
         self._quality = self._dock("quality", self.tr("Quality distribution"), made.quality)
         self._objective = self._dock("objective", self.tr("Objective history"), made.objective)
         self._outcome = self._dock("outcome", self.tr("Result"), made.outcome, is_form=True)
-        self._element = self._dock("element", self.tr("Element"), made.element)
+        self._element = self._dock("element", self.tr("Element"), made.element, is_form=True)
         self._search = self._dock("search", self.tr("Optimiser"), made.search, is_form=True)
         self._worst = self._dock("worst", self.tr("Worst elements"), made.worst)
-        self._rules = self._dock("rules", self.tr("Rules"), made.rules)
+        self._rules = self._dock("rules", self.tr("Rules"), made.rules, is_form=True)
         self._meshing = self._dock("meshing", self.tr("Mesh"), made.meshing, is_form=True)
         self._plates = self._dock("plates", self.tr("Plates"), made.plates)
         self._shown, self._has_room = Scene(), False

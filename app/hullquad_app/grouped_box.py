@@ -61,7 +61,7 @@ class GroupedBox(QComboBox):
     def __init__(self, letters: int = 0, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         if letters:
-            self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+            narrow(self)
             self.set_letters(letters)
         self.setItemDelegate(_Rows(self))
         self.setMaxVisibleItems(_MOST_VISIBLE)
@@ -100,6 +100,12 @@ class GroupedBox(QComboBox):
         row = self.count() - 1
         self.setItemData(row, True, _IS_HEADING)
         self.setItemData(row, 0, Qt.ItemDataRole.UserRole - 1)  # flags of QStandardItem: neither chosen nor enabled
+
+
+def narrow(box: QComboBox, letters: int = 8) -> None:
+    """Have a box need no more width than for so many letters; it takes what there is."""
+    box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
+    box.setMinimumContentsLength(letters)
 
 
 def metric_choices(metrics: Iterable[Metric]) -> list[Choice]:

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QSlider, QStyle, QStyleOption
 
 from hullquad_app.colours import COLOUR_MAPS, LIGHT, ColourMap, Palette
 from hullquad_app.panels.figures import sized
-from hullquad_app.panels.ground import coloured
+from hullquad_app.panels.ground import coloured, frame
 from hullquad_app.scene import Scene
 from hullquad_app.stage_words import stage_words
 
@@ -103,6 +103,7 @@ class HistoryBar(QWidget):
         for label in (self.title, self.stage):
             coloured(label, palette.dim)
         coloured(self.place, palette.text)
+        frame(self, palette)
         self._show()
 
     def changeEvent(self, change: QEvent) -> None:

@@ -32,7 +32,7 @@ class PanelDock(QDockWidget, Generic[Shown]):
     make
         Gives the panel, ready for its first scene.
     is_form
-        May be taller than its place, and scrolls then.
+        May need more height than there is, and scrolls then.
     """
 
     def __init__(self, name: str, title: str, make: Callable[[], Shown], *, is_form: bool = False) -> None:

@@ -1,9 +1,9 @@
 """The status bar: how large the mesh is, what goes on, and the objective."""
 
 import numpy as np
-from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QPainter, QPaintEvent
-from PySide6.QtWidgets import QLabel, QStatusBar
+from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtGui import QHelpEvent, QPainter, QPaintEvent
+from PySide6.QtWidgets import QLabel, QSizePolicy, QStatusBar, QToolTip
 
 from hullquad.mesh import Mesh
 from hullquad.metrics import Metric
@@ -19,7 +19,7 @@ from hullquad_app.stage_words import stage_words
 
 
 class Sentence(QLabel):
-    """A text that is cut with three points where there is no room for it."""
+    """A text that is cut with three points where there is no room for it; its tip is the whole then."""
 
     def minimumSizeHint(self) -> QSize:
         """No width at all."""
@@ -29,7 +29,16 @@ class Sentence(QLabel):
         """Draw what there is room for."""
         painter = QPainter(self)
         text = painter.fontMetrics().elidedText(self.text(), Qt.TextElideMode.ElideRight, self.contentsRect().width())
-        painter.drawText(self.rect(), Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, text)
+        painter.setPen(self.palette().color(self.foregroundRole()))
+        painter.drawText(self.contentsRect(), Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, text)
+
+    def event(self, happening: QEvent) -> bool:
+        """Show the whole text where it has no other tip."""
+        is_cut = self.fontMetrics().horizontalAdvance(self.text()) > self.contentsRect().width()
+        if happening.type() == QEvent.Type.ToolTip and isinstance(happening, QHelpEvent) and is_cut:
+            QToolTip.showText(happening.globalPos(), self.toolTip() or self.text(), self)
+            return True
+        return super().event(happening)
 
 
 class StatusBar(QStatusBar):
@@ -39,8 +48,7 @@ class StatusBar(QStatusBar):
         super().__init__()
         self._palette, self._scene, self._activity = LIGHT, Scene(), ""
         self._sums: dict[Mesh, tuple[Metric, float]] = {}
-        self.counts, self.warning, self.objective = QLabel(), QLabel(), QLabel()
-        self.course = Sentence()
+        self.counts, self.warning, self.course, self.objective = Sentence(), Sentence(), Sentence(), Sentence()
         names = (self.tr("Size of the mesh"), self.tr("Warning"), self.tr("What goes on"), self.tr("Objective"))
         labels = (self.counts, self.warning, self.course, self.objective)
         for label, name in zip(labels, names, strict=True):
@@ -49,7 +57,8 @@ class StatusBar(QStatusBar):
         gap = self.fontMetrics().averageCharWidth()
         for label in labels[:-1]:
             label.setContentsMargins(0, 0, 2 * gap, 0)
-            self.addWidget(label)
+            self.addWidget(label, stretch=int(label is self.course))
+        self.course.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)  # the others come first
         self.addPermanentWidget(self.objective)
         self.setSizeGripEnabled(False)
         self.setContentsMargins(gap, 0, gap, 0)

@@ -93,7 +93,7 @@ def _style_sheet(palette: Palette) -> str:
         QToolBar QToolButton:pressed {{ background: {palette.rule}; }}
         QToolBar QToolButton:focus {{ border-color: {palette.accent}; }}
         QDockWidget {{ font-weight: 600; }}
-        QDockWidget::title {{ background: {palette.background}; padding: 6px 10px; text-align: left;
+        QDockWidget::title {{ background: {palette.background}; padding: 4px 10px; text-align: left;
                               border-bottom: 1px solid {palette.rule}; }}
         QStatusBar {{ background: {palette.background}; border-top: 1px solid {palette.rule};
                       color: {palette.dim}; }}

@@ -8,6 +8,7 @@ from hullquad_app.colours import Palette
 from hullquad_app.grouped_box import GroupedBox, metric_choices
 from hullquad_app.limit_boxes import LimitBoxes
 from hullquad_app.metric_words import meaning
+from hullquad_app.panels.ground import frame
 from hullquad_app.plate_box import PlateBox
 from hullquad_app.rules_box import RulesBox
 from hullquad_app.scene import Scene
@@ -70,6 +71,7 @@ class Choices(QWidget):
     def set_palette(self, palette: Palette) -> None:
         """Take the colours of a theme."""
         self.limits.set_palette(palette)
+        frame(self, palette)
 
     def _lay_out(self) -> None:
         row = QHBoxLayout(self)

@@ -45,7 +45,8 @@ class Welcome(QWidget):
         column.addWidget(self.gallery)
 
     def _item(self, sample: Sample) -> QListWidgetItem:
-        several = self.tr("{name}: {count} plates").format(name=sample.name, count=len(sample.titles))
+        name = sample.name.replace("_", " ").capitalize()
+        several = self.tr("{name}: {count} plates").format(name=name, count=len(sample.titles))
         title = sample.titles[0] if len(sample.titles) == 1 else several
         curved = self.tr("{title} (curved: not meshed yet)")
         picture = QIcon(str(sample.path.with_suffix(".png")))  # read when it is painted

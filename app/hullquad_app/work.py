@@ -154,6 +154,7 @@ def _made(
         making = pipeline.best_stages(contour, input_hash, mesher.settings)
     stages: list[MeshStage] = []
     told, text = None, _translated("Meshing {plate}").format(plate=contour.plate.id)
+    yield Progress(text, *so_far)
     for stage in making:
         if stage is not None:
             stages.append(stage)

@@ -122,13 +122,23 @@ class Overlay(QWidget):
         right, base = self.width() - 1.25 * letter, self.height() - 1.25 * letter
         bar = [QPointF(right - width, base - 5), QPointF(right - width, base)]
         bar += [QPointF(right, base), QPointF(right, base - 5)]
+        text = written(length)
+        wide = self.fontMetrics().horizontalAdvance(text) > width
+        room = max(width, self.fontMetrics().horizontalAdvance(text)) + letter
+        self._paint_ground(painter, QRectF(right - room + 0.5 * letter, base - 1.6 * letter, room, 2 * letter))
         painter.setPen(QPen(QColor(self.palette_shown.dim), 1.5, _SOLID, _FLAT, Qt.PenJoinStyle.MiterJoin))
         painter.drawPolyline(bar)
         above = QRectF(right - 20 * letter, base - 8 - letter, 20 * letter, letter)
         middle = QRectF(right - width / 2 - 10 * letter, above.top(), 20 * letter, letter)
-        text = written(length)
-        wide = self.fontMetrics().horizontalAdvance(text) > width
         painter.drawText(above if wide else middle, _RIGHT if wide else Qt.AlignmentFlag.AlignCenter, text)
+
+    def _paint_ground(self, painter: QPainter, box: QRectF) -> None:
+        """Let what is written be read over elements."""
+        ground = QColor(self.palette_shown.view)
+        ground.setAlpha(200)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(ground)
+        painter.drawRoundedRect(box, 4, 4)
 
     def _paint_axes(self, painter: QPainter, camera: Camera) -> None:
         letter = self.fontMetrics().height()

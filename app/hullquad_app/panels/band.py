@@ -16,6 +16,8 @@ from hullquad_app.panels.figures import summed, valued
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 
+_HIGH = 4.5
+"""Height from which there are two bands [lines of text]."""
 _PIECE = 8
 """Points that are drawn as one line: of a long one that crosses itself Qt first finds the outline, very slowly."""
 
@@ -39,10 +41,11 @@ class Band:
 
     @property
     def tick_values(self) -> list[float]:
-        """Values that are written beside the band: round ones, in a low band only the outer two."""
+        """Values that are written beside the band: round ones, in a low band only the outer two, or one."""
         tries = (ticks(self.y.low, self.y.high, most) for most in (4, 5, 7))
         found = next((values for values in tries if len(values) > 1), [])
-        return found if self.y.start - self.y.end > 3 * self.line else found[:: max(len(found) - 1, 1)]
+        outer = found if self.y.start - self.y.end > 3 * self.line else found[:: max(len(found) - 1, 1)]
+        return outer if not outer or self.y.at(outer[0]) - self.y.at(outer[-1]) > self.line else outer[-1:]
 
     @property
     def tick_texts(self) -> list[str]:
@@ -50,33 +53,27 @@ class Band:
         return labels(self.tick_values)
 
 
-def bands(course: Course, position: int, area: QRectF, line: float, palette: Palette) -> tuple[Band, Band]:
-    """The objective above, the worst value below; axes fit the iterates judged as the shown one is."""
+def bands(course: Course, position: int, area: QRectF, line: float, palette: Palette) -> tuple[Band, ...]:
+    """The objective, and the worst value below where there is room; axes fit iterates judged as the shown one is."""
     part = course.part_at(position)
     upper, lower = QRectF(area), QRectF(area)
-    upper.setHeight(round(0.6 * area.height() - 0.2 * line))
+    has_both = area.height() >= _HIGH * line
+    if has_both:
+        upper.setHeight(round(0.6 * area.height() - 0.2 * line))
     lower.setTop(upper.bottom() + round(0.4 * line))
     objective, worst = float(course.objectives[position]), float(course.worsts[position])
-    sum_title, worst_title = _titles(part)
+    (sum_title, worst_title), by = _titles(part), None if part.weighted else part.by
     x = Axis(course.numbers[0], course.numbers[-1], area.left(), area.right())
     rows = (
-        (
-            sum_title,
-            summed(objective, None if part.weighted else part.by),
-            course.objectives,
-            upper,
-            palette.accent,
-            2.0,
-        ),
+        (sum_title, summed(objective, by), course.objectives, upper, palette.accent, 2.0),
         (worst_title, valued(worst, part.by), course.worsts, lower, palette.dim, 1.5),
     )
     alike = course.alike(part)
-    first, second = (
+    return tuple(
         Band(title=title, shown=text, values=values, x=x, y=_y_axis(values[alike], place, line), area=place, line=line,
              colour=colour, width=width)
-        for title, text, values, place, colour, width in rows
+        for title, text, values, place, colour, width in rows[: 1 + has_both]
     )  # fmt: skip
-    return first, second
 
 
 def _titles(part: Part) -> tuple[str, str]:

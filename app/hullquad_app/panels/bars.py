@@ -18,6 +18,10 @@ from hullquad_app.panels.figures import counted, unit_of
 _ALMOST = -1e-9
 _STRIPE = 2
 """Width of a stripe of the legend [px]."""
+LEGEND_LINE = 1.2
+"""Height of a line of the legend, in lines of text."""
+_HIGH = 8.0
+"""Height from which there is a line of the legend, and another with each line and a half more [lines of text]."""
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 _CENTRE = Qt.AlignmentFlag.AlignCenter
 
@@ -76,7 +80,8 @@ def bars(
     most = top(int(max(now.totals.max(), 0 if first is None else first.totals.max())))
     left = area.left() + letters.horizontalAdvance(counted(most)) + 0.5 * line
     right = area.right() - 0.7 * line
-    ground = round(area.bottom() - 4.7 * line)
+    legend = LEGEND_LINE * line * min(max(int((area.height() / line - _HIGH) / 1.5) + 1, 0), 2)
+    ground = round(area.bottom() - 2.3 * line - legend)
     return Bars(
         quality=quality,
         now=now,
@@ -86,7 +91,7 @@ def bars(
         x=Axis(float(now.edges[0]), float(now.edges[-1]), round(left), round(right)),
         y=Axis(0, most, ground, round(area.top() + 1.4 * line)),
         strip=QRectF(round(left), ground + round(0.25 * line), round(right) - round(left), round(0.5 * line)),
-        legend=QRectF(left, area.bottom() - 2.5 * line, area.right() - left, 2.4 * line),
+        legend=QRectF(left, area.bottom() - 0.1 * line - legend, area.right() - left, legend),
     )
 
 
@@ -101,7 +106,8 @@ def draw(painter: QPainter, plot: Bars, palette: Palette, chosen: ColourMap) -> 
 
 def _draw_counts(painter: QPainter, plot: Bars, palette: Palette) -> None:
     line = plot.strip.height() * 2
-    for value in sorted({0, int(plot.y.high) // 2, int(plot.y.high)}):
+    is_low = plot.y.start - plot.y.end < 1.2 * line
+    for value in sorted({0, int(plot.y.high)} if is_low else {0, int(plot.y.high) // 2, int(plot.y.high)}):
         y = round(plot.y.at(value))
         painter.setPen(QPen(QColor(palette.rule), 1))
         painter.drawLine(QLineF(plot.x.start, y, plot.x.end, y))

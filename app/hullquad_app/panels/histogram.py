@@ -54,6 +54,8 @@ class HistogramChart(QWidget):
         shown = (scene.quality, scene.first_quality, scene.view.selection, scene.given)
         if all(new is old for new, old in zip(shown, self._shown, strict=True)):
             return
+        if (scene.quality is None) != (self._quality is None):
+            self.updateGeometry()
         self._quality, self._first_quality, self._selection, self._given = shown
         self._count()
         self.update()
@@ -68,8 +70,8 @@ class HistogramChart(QWidget):
         return self._letters_size(40, 13)
 
     def minimumSizeHint(self) -> QSize:
-        """Enough for the axes and some bars."""
-        return self._letters_size(24, 9)
+        """Enough for the axes and some bars; the legend needs more."""
+        return self._letters_size(24, 2 if self._quality is None else 5)
 
     def point_at(self, value: float) -> QPointF:
         """Where a value is, in the middle of the ground."""

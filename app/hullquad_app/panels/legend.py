@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor, QPainter
 from hullquad_app.colours import ColourMap, Palette
 from hullquad_app.level_legend import draw_swatch
 from hullquad_app.metric_words import name_of
-from hullquad_app.panels.bars import Bars, first_pen
+from hullquad_app.panels.bars import LEGEND_LINE, Bars, first_pen
 from hullquad_app.panels.figures import counted, plain
 from hullquad_app.panels.limit import draw_triangle, has_triangle_limit
 
@@ -16,8 +16,8 @@ _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
 
 
 def draw_legend(painter: QPainter, plot: Bars, palette: Palette, chosen: ColourMap) -> None:
-    """Draw as many entries as there is room for, in two lines."""
-    line = plot.legend.height() / 2
+    """Draw as many entries as there is room for."""
+    line = LEGEND_LINE * painter.fontMetrics().height()
     place = QRectF(plot.legend.left(), plot.legend.top(), 0, line)
     for sign, text in _entries(plot):
         width = _width(painter, sign, text)

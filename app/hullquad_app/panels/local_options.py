@@ -26,7 +26,7 @@ class LocalOptions(QWidget):
         super().__init__()
         self._search, self._scene = Search(), Scene()
         self.only = QCheckBox(self.tr("only, with"))
-        self.rings = QSpinBox(minimum=0, maximum=MOST_RINGS, suffix=self.tr(" rings around it"))
+        self.rings = QSpinBox(minimum=0, maximum=MOST_RINGS, suffix=self.tr(" rings"))
         self.rings.setKeyboardTracking(False)
         self.extent = QLabel()
         self.extent.setFont(sized(self.font(), CAPTION))

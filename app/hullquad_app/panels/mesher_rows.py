@@ -9,10 +9,10 @@ from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QFormLayout, QHBoxLayou
 
 from hullquad.quads.settings import LARGEST_GRADING, LEAST_GRADING, Preference
 from hullquad_app.mesher import BEST, PAPER, Mesher
+from hullquad_app.grouped_box import narrow
 from hullquad_app.panels.explained import explain
 
 _STEP = 0.05
-_LETTERS = 8
 """Width that a box has at least."""
 
 
@@ -33,8 +33,7 @@ class MesherRows(QObject):
         self.preferences.addItem(self.tr("fewest triangles"), Preference.QUADS.value)
         self.preferences.addItem(self.tr("best worst element"), Preference.QUALITY.value)
         for box in (self.names, self.preferences):
-            box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-            box.setMinimumContentsLength(_LETTERS)
+            narrow(box)
         self._explain()
         self.names.activated.connect(lambda: self._change(name=self.names.currentData()))
         self.preferences.activated.connect(lambda: self._change(prefer=self.preferences.currentData()))

@@ -17,6 +17,7 @@ from hullquad.plate import Plate
 from hullquad_app.abilities import Abilities
 from hullquad_app.colours import COLOUR_MAPS, LIGHT, ColourMap, Palette
 from hullquad_app.division import Division, Size
+from hullquad_app.grouped_box import narrow
 from hullquad_app.panels.explained import explain
 from hullquad_app.panels.ground import coloured, dress
 from hullquad_app.panels.mesher_rows import MesherRows
@@ -44,6 +45,7 @@ class MeshingPanel(QWidget):
         self._scene = Scene()
         self._division: Division | None = None
         self.sizes, self.mesher = QComboBox(), MesherRows()
+        narrow(self.sizes)
         self.millimetres = QDoubleSpinBox(minimum=_LEAST, maximum=_MOST, decimals=1)
         self.millimetres.setKeyboardTracking(False)
         self.prospect = Prospect()

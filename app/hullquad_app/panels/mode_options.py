@@ -8,12 +8,13 @@ from PySide6.QtCore import QObject, QSignalBlocker, Signal
 from PySide6.QtWidgets import QComboBox, QSpinBox, QWidget
 
 from hullquad.optimizers import Optimizer
+from hullquad_app.grouped_box import narrow
 from hullquad_app.panels.explained import explain
 from hullquad_app.plan import PAPER
 from hullquad_app.rules_box import RulesBox
 from hullquad_app.search import FLOORS, MOST_ITERATIONS, MOST_SECONDS, Search
 
-_LETTERS = 18
+_LETTERS = 8
 
 
 class ModeOptions(QObject):
@@ -32,6 +33,7 @@ class ModeOptions(QObject):
             self.tr("off: the sum alone counts"),
         ):
             self.floor.addItem(words)
+        narrow(self.floor)
         self.rules = RulesBox(_LETTERS)
         self.iterations = QSpinBox(minimum=1, maximum=MOST_ITERATIONS)
         self.seconds = QSpinBox(minimum=0, maximum=MOST_SECONDS, suffix=self.tr(" s"))

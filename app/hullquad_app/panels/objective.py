@@ -59,6 +59,7 @@ class ObjectivePanel(QWidget):
     def _refresh(self) -> None:
         scene = self._scene
         if scene.track is not self._track:
+            self.updateGeometry()
             self._course = None if scene.track is None else course(scene.track)
             self._hovered = None
         self._track, self._position = scene.track, scene.position
@@ -77,9 +78,9 @@ class ObjectivePanel(QWidget):
         return QSize(letters.averageCharWidth() * 40, letters.height() * 9)
 
     def minimumSizeHint(self) -> QSize:
-        """Enough for both bands."""
+        """Enough for the upper band."""
         letters = self.fontMetrics()
-        return QSize(letters.averageCharWidth() * 24, letters.height() * 7)
+        return QSize(letters.averageCharWidth() * 24, round(letters.height() * (2 if self._track is None else 4.5)))
 
     def point_at(self, position: int) -> QPointF:
         """Where an iterate of the track is on the upper line."""
@@ -169,8 +170,8 @@ class ObjectivePanel(QWidget):
         is_best = self._course is not None and position == self._course.best
         return text + self.tr(" (best)") if is_best else text
 
-    def _bands(self, rows: Course) -> tuple[Band, Band]:
-        """Both bands, beside the longest text of their axes."""
+    def _bands(self, rows: Course) -> tuple[Band, ...]:
+        """The bands, beside the longest text of their axes."""
         letters = QFontMetricsF(sized(self.font(), CAPTION))
         line = letters.height()
         area = QRectF(self.rect()).adjusted(line, 0.4 * line, -0.7 * line, -1.8 * line)
@@ -195,7 +196,7 @@ class ObjectivePanel(QWidget):
             at = round(x.at(rows.numbers[part.start]))
             painter.drawLine(QLineF(at, 0.4 * line, at, top - 0.2 * line))
 
-    def _draw_marks(self, painter: QPainter, both: tuple[Band, Band], rows: Course) -> None:
+    def _draw_marks(self, painter: QPainter, both: tuple[Band, ...], rows: Course) -> None:
         """Draw lines where the shown iterate and the mouse are, a ring at the best and dots at the shown one."""
         ground, shown_at = self._palette.panel, self._position
         for row in both:

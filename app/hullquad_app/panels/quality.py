@@ -32,6 +32,8 @@ class QualityPanel(QWidget):
         self.chart.limit_reset.connect(self.limit_reset)
         self.chart.selected.connect(self.selected)
         column = QVBoxLayout(self)
+        gap = self.fontMetrics().height() // 3
+        column.setContentsMargins(2 * gap, gap, 2 * gap, gap)
         column.addWidget(self.figures)
         column.addWidget(self.chart, stretch=1)
         dress(self, LIGHT)

@@ -9,7 +9,7 @@ from hullquad.optimization.objective import Term
 from hullquad.optimization.settings import PaperSettings
 from hullquad.optimizers import OPTIMIZERS, optimizer
 from hullquad_app.colours import COLOUR_MAPS, LIGHT, ColourMap, Palette
-from hullquad_app.grouped_box import Choice, GroupedBox, metric_choices
+from hullquad_app.grouped_box import Choice, GroupedBox, metric_choices, narrow
 from hullquad_app.metric_words import name_of
 from hullquad_app.objectives import optimised_by, wanted, written
 from hullquad_app.panels.explained import explain
@@ -25,7 +25,7 @@ from hullquad_app.search import Search
 
 SEVERAL = ","
 """Data of the row that is no metric: part of every objective of several."""
-_LETTERS = 18
+_LETTERS = 8
 
 
 class SearchPanel(QWidget):
@@ -43,6 +43,7 @@ class SearchPanel(QWidget):
         self._paper, self._search, self._scene = PaperSettings(), Search(), Scene()
         self._objective: str | None = None
         self.optimizer, self.words = QComboBox(), QLabel()
+        narrow(self.optimizer)
         for row in OPTIMIZERS:
             self.optimizer.addItem(row.title, row.key)
         self.objective, self.weights = GroupedBox(_LETTERS), Weights()

@@ -114,8 +114,8 @@ class Table(QTableView):
             painter.drawText(self.viewport().rect(), Qt.AlignmentFlag.AlignCenter, self._empty)
 
     def minimumSizeHint(self) -> QSize:
-        """The header and a row or two."""
-        return QSize(super().minimumSizeHint().width(), round(4 * self.fontMetrics().height()))
+        """The header and a row."""
+        return QSize(super().minimumSizeHint().width(), round(2.75 * self.fontMetrics().height()))
 
     def width_of(self, *texts: str, bold: bool = False) -> int:
         """Width of a column in which any of the texts fits."""

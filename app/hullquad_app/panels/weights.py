@@ -12,7 +12,7 @@ from hullquad_app.grouped_box import GroupedBox, metric_choices
 from hullquad_app.panels.explained import explain
 from hullquad_app.panels.scale_spin import ScaleSpin
 
-_LETTERS = 12
+_LETTERS = 8
 _DIGITS = 10
 _LEAST, _MOST = 1e-3, 1e3
 
