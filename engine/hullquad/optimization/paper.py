@@ -17,6 +17,7 @@ from hullquad.optimization import stops
 from hullquad.optimization.iterate import Iterate
 from hullquad.optimization.objective import objective_sum
 from hullquad.optimization.settings import PaperSettings
+from hullquad.optimization.sliding import along_lines, on_lines
 from hullquad.optimization.stops import Stop
 from hullquad.quality import quality
 from hullquad.surface import Plane
@@ -105,7 +106,7 @@ class _Record:
 
 
 def _gradient(mesh: Mesh, surface: Plane, metric: Metric) -> Floats:
-    """(N, 2) gradient of the objective by the parameters of the free nodes, 0 for all others.
+    """(N, 2) gradient of the objective by the parameters of the free nodes, along their line if they slide; else 0.
 
     A difference across a degenerate quad may be infinite or undefined; it tells no direction and counts as 0.
     """
@@ -116,7 +117,7 @@ def _gradient(mesh: Mesh, surface: Plane, metric: Metric) -> Floats:
         metric, mesh.points, mesh.topology.quads, tangents, step, mesh.normals, mesh.reference_areas
     )
     usable = mesh.topology.is_free[:, None] & np.isfinite(gradient)
-    return np.where(usable, gradient, 0.0)
+    return along_lines(mesh, np.where(usable, gradient, 0.0))
 
 
 def _stop(mesh: Mesh, gradient: Floats, number: int, record: _Record) -> Stop | None:
@@ -135,10 +136,10 @@ def _stepped(mesh: Mesh, move: Floats, *, guard: bool) -> tuple[Mesh, float]:
     """The mesh with its nodes moved by `move` (N, 2) in the parameter plane, and the largest move [mm]."""
     parameters = mesh.parameters
     assert parameters is not None  # a mesh on a surface has them
-    after = mesh.with_parameters(parameters + move)
+    after = mesh.with_parameters(on_lines(mesh, parameters + move))
     held = _held(mesh, after) if guard else np.zeros(len(parameters), dtype=bool)
     if held.any():
-        after = mesh.with_parameters(np.where(held[:, None], parameters, parameters + move))
+        after = mesh.with_parameters(np.where(held[:, None], parameters, on_lines(mesh, parameters + move)))
     return after, float(np.sqrt(((after.points - mesh.points) ** 2).sum(axis=1).max()))
 
 

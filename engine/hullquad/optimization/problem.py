@@ -67,8 +67,9 @@ class Problem:
             ways = np.zeros((self.movable, 2, 3))
             ways[:, 0, 0] = ways[:, 1, 1] = 1.0
             slides = np.flatnonzero(self.mesh.topology.slides[self.nodes[: self.movable]])
-            ways[slides, 1] = 0.0
-            ways[slides, 0, :2] = line_directions(self.mesh)[self.mesh.topology.node_lines[self.nodes[slides]]]
+            if len(slides):
+                lines = self.mesh.topology.node_lines[self.nodes[slides]]
+                ways[slides, 0, :2], ways[slides, 1] = line_directions(self.mesh)[lines], 0.0
             return ways, np.array([_UP])
         normals = self.surface.normals[self.nodes]
         padded = np.concatenate([normals, np.zeros((1, 3))])

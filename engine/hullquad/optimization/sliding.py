@@ -30,6 +30,17 @@ def on_lines(mesh: Mesh, parameters: Floats) -> Floats:
     return slid
 
 
+def along_lines(mesh: Mesh, vectors: Floats) -> Floats:
+    """Vectors (N, 2) at the nodes, those of nodes that slide without the part across their line."""
+    known = mesh.topology
+    if not known.slides.any():
+        return vectors
+    rows, kept = np.flatnonzero(known.slides), np.array(vectors)
+    ways = line_directions(mesh)[known.node_lines[rows]]
+    kept[rows] = _along(kept[rows], ways)[:, None] * ways
+    return kept
+
+
 def _along(vectors: Floats, ways: Floats) -> Floats:
     return np.asarray((vectors * ways).sum(axis=1))
 
