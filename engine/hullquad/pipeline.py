@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import attrs
 import numpy as np
 
-from hullquad.arrays import Bytes, Floats, Ints
+from hullquad.arrays import Bytes, Floats, Ints, floats, ints
 from hullquad.errors import HullquadError, MeshingError
 from hullquad.mesh import Mesh
 from hullquad.optimization.iterate import Iterate, Outcome, outcome
@@ -82,9 +82,11 @@ def paper_stages(contour: Contour, input_hash: str = "") -> Iterator[MeshStage |
     for join in joins(possible):
         steps.append(join)
         yield None
+    given = len(contour.nodes)
     for states in paper_states(nodes, possible, steps):
-        yield from _stages(contour, input_hash, states)
-    yield from _stages(contour, input_hash, whole(Step.JOINED, nodes, elements(possible, steps)), is_best=True)
+        yield from _stages(contour, input_hash, states, partial(states.at, given=given))
+    last = whole(Step.JOINED, nodes, elements(possible, steps))
+    yield from _stages(contour, input_hash, last, partial(last.at, given=given), is_best=True)
 
 
 def best_stages(
@@ -101,7 +103,9 @@ def best_stages(
         if trial is None:
             yield None
         else:
-            yield from _stages(contour, input_hash, trial.states, trial.number, trial.count, is_best=trial.is_best)
+            at = partial(_glued, contour, trial.states, settled=trial.settled)
+            numbers = trial.number, trial.count
+            yield from _stages(contour, input_hash, trial.states, at, *numbers, is_best=trial.is_best)
 
 
 def best_mesh(contour: Contour, input_hash: str = "", settings: MeshSettings | None = None) -> Mesh:
@@ -115,7 +119,7 @@ def best_mesh(contour: Contour, input_hash: str = "", settings: MeshSettings | N
     for trial in _trials(contour, settings, is_watched=False):
         if trial is not None and trial.is_best:
             best = trial.states
-    return _mesh(contour, *best.at(0, len(contour.nodes)), input_hash)  # every plate has a first candidate
+    return _mesh(contour, *_glued(contour, best, 0), input_hash)  # every plate has a first candidate
 
 
 def _trials(contour: Contour, settings: MeshSettings | None, *, is_watched: bool) -> Iterator["Trial | None"]:
@@ -132,15 +136,16 @@ def _stages(
     contour: Contour,
     input_hash: str,
     states: States,
+    at: Callable[[int], tuple[Floats, Ints]],
     candidate: int = 0,
     candidates: int = 1,
     *,
     is_best: bool = False,
 ) -> Iterator[MeshStage]:
-    """A stage of every state."""
+    """A stage of every state, of which `at` gives the nodes and elements."""
 
     def mesh(index: int) -> Mesh:
-        return _mesh(contour, *states.at(index, len(contour.nodes)), input_hash)
+        return _mesh(contour, *at(index), input_hash)
 
     for index in range(len(states)):
         yield MeshStage(
@@ -150,6 +155,19 @@ def _stages(
             is_best=is_best,
             mesh=partial(mesh, index),
         )
+
+
+def _glued(
+    contour: Contour, states: States, index: int, settled: tuple[Floats, Ints] | None = None
+) -> tuple[Floats, Ints]:
+    """Nodes and elements of a state of the cut plate, glued along the lines, with what is settled elsewhere."""
+    given = len(contour.cut.originals)
+    nodes, elements = states.at(index, given)
+    if settled is not None:
+        moved = np.where(settled[1] >= given, settled[1] + len(nodes) - given, settled[1])
+        nodes = floats(np.concatenate([nodes, settled[0][given:]]))
+        elements = ints(np.concatenate([elements, moved]))
+    return contour.cut.glued(nodes, elements)
 
 
 def _points(contour: Contour, nodes: Floats) -> Floats:
@@ -162,7 +180,7 @@ def _points(contour: Contour, nodes: Floats) -> Floats:
 def _mesh(contour: Contour, nodes: Floats, elements: Ints, input_hash: str) -> Mesh:
     return Mesh(
         points=_points(contour, nodes),
-        topology=topology(elements, _states(contour, len(nodes))),
+        topology=topology(elements, _states(contour, len(nodes)), _lines(contour, len(nodes))),
         target_size=contour.size,
         surface=plane_of(contour.plate),
         parameters=nodes,
@@ -198,11 +216,13 @@ def _triangulated_pairs(contour: Contour) -> tuple[Floats, "Pairs"]:
             area=TRIANGLE_AREA * contour.size**2,
             min_angle=MIN_ANGLE,
             place=contour.plate.place,
+            lines=contour.line_edges,
             element_limit=_MOST_TRIANGLES,
         )
     except HullquadError as error:
         raise error.concerning(contour.plate.id) from error
-    return found.nodes, pairs(_points(contour, found.nodes), found.triangles, surface.normal[None])
+    points, constraints = _points(contour, found.nodes), ints(contour.line_edges)
+    return found.nodes, pairs(points, found.triangles, surface.normal[None], constraints)
 
 
 def improved(iterates: Iterable[Iterate], watch: Callable[[Iterate], None] = lambda _: None) -> Outcome:
@@ -278,5 +298,11 @@ def _little_mesh() -> Mesh:
 def _states(contour: Contour, nodes: int) -> Bytes:
     states = np.full(nodes, NodeState.FREE, dtype=np.int8)
     states[: len(contour.nodes)] = NodeState.FIXED
+    states[: len(contour.nodes)][contour.node_lines >= 0] = NodeState.ON_LINE
     states[: contour.edge_count] = NodeState.CONTOUR
     return states
+
+
+def _lines(contour: Contour, nodes: int) -> Ints:
+    """(N,) row of the contour's lines that each node slides on, else -1."""
+    return ints(np.concatenate([contour.node_lines, np.full(nodes - len(contour.nodes), -1)]))

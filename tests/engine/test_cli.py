@@ -454,6 +454,17 @@ def test_the_mesher_is_chosen(mesher, has_triangles, tmp_path, capsys):
     assert (json.loads(said)["triangles"] > 0) is has_triangles
 
 
+@pytest.mark.parametrize("mesher", ["best", "paper"])
+def test_elements_follow_stiffeners_when_asked_to(mesher, tmp_path, capsys):
+    out = tmp_path / "out.vtu"
+    plate = PLATES / "hatch_corner.json"
+    arguments = ("mesh", plate, "-o", out, "--mesher", mesher, "--follow-stiffeners", "--optimizer", "none", "--json")
+    code, printed, _ = run(capsys, *arguments)
+    assert code == 0
+    assert json.loads(printed)["triangles_unavoidable"] == 0
+    assert (read_mesh(out).topology.node_states == NodeState.ON_LINE).any()
+
+
 @pytest.mark.parametrize("value", ["0", "3", "steep"])
 def test_a_grading_that_is_none_is_wrong_usage(value, tmp_path, capsys):
     code, _, complaints = run(

@@ -39,7 +39,7 @@ def mesh_plates(options: Namespace) -> bool:
     plates, refused = _chosen(document, refusals, options.plate)
     for refusal in refused:
         complain(refusal.error.concerning(refusal.plate_id))
-    contours = attempts(document, options.size)
+    contours = attempts(document, options.size, follow_lines=options.follow_stiffeners)
     for plate in plates:
         _warn(document, options.size, plate, contours.get(plate.id))
     is_alone = options.plate is not None or len(document.plates) + len(refusals) == 1

@@ -6,7 +6,7 @@ from hullquad.quads.settings import GRADING, LARGEST_GRADING, LEAST_GRADING, Pre
 
 
 def add_mesher(command: ArgumentParser) -> None:
-    """Let a command take ``--mesher``, ``--prefer`` and ``--grading``."""
+    """Let a command take ``--mesher``, ``--prefer``, ``--grading`` and ``--follow-stiffeners``."""
     command.add_argument(
         "--mesher",
         choices=["best", "paper"],
@@ -26,6 +26,11 @@ def add_mesher(command: ArgumentParser) -> None:
         metavar="G",
         help="by how much the best mesher lets elements grow per length away from short edges, "
         f"{LEAST_GRADING:g} to {LARGEST_GRADING:g} (default: {GRADING:g})",
+    )
+    command.add_argument(
+        "--follow-stiffeners",
+        action="store_true",
+        help="let elements of either mesher have edges along whole stiffeners and seams, not only nodes at their ends",
     )
 
 

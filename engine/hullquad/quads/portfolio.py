@@ -5,17 +5,20 @@ the clock, so that the same plate always gives the same mesh. It ends early when
 """
 
 from collections.abc import Iterator
-from math import inf
 
 import attrs
 import numpy as np
 
+from hullquad.arrays import Floats, floats
 from hullquad.quads.making import Task, making, shaking
+from hullquad.quads.mapped import grids
+from hullquad.quads.patchwork import Cutting, Patchwork
 from hullquad.quads.settings import MeshSettings
-from hullquad.quads.stages import States
+from hullquad.quads.stages import States, Step, padded, whole
+from hullquad.topology import edges
 from hullquad.triangulation.contour import MOST_ELEMENTS, Contour
 from hullquad.triangulation.delaunay import Triangulation, triangulate
-from hullquad.triangulation.field import Field, corners, field, fitting_elements
+from hullquad.triangulation.field import Field, field
 from hullquad.triangulation.points import aligned_points
 
 MOST_TRIANGLES = 4 * MOST_ELEMENTS
@@ -23,8 +26,6 @@ MOST_TRIANGLES = 4 * MOST_ELEMENTS
 
 _EFFORT = 1200
 """Elements that all candidates together may have, about; the first one may have any number."""
-_NOTHING_LEFT = 0.02
-"""Cost above the least possible below which no other candidate is tried."""
 _OWN_AREA = 0.8
 _OWN_ANGLE = 30.0
 
@@ -37,6 +38,8 @@ class Candidate:
     """Distance that points keep, over the local size; 0 for the points that Triangle places itself."""
     grading: float = 1.0
     """Factor of the grading that is asked for."""
+    halves_chords: bool = False
+    """Whether there are points, too, in the middle of edges across the plate, from contour to contour."""
 
 
 CANDIDATES = (
@@ -49,17 +52,21 @@ CANDIDATES = (
     Candidate(0.68),
     Candidate(0.82),
 )
+LAST_RESORT = Candidate(0.75, halves_chords=True)
+"""Where triangles are left that could be avoided: in narrow parts there is no node then that could be moved."""
 
 
 @attrs.frozen(eq=False, kw_only=True)
 class Trial:
-    """States of one of the candidates."""
+    """States of one of the candidates, on the plate cut along followed lines."""
 
     number: int
     """Of the candidate, from 0."""
     count: int
     """Candidates that are tried at most."""
     states: States
+    settled: Cutting | None = None
+    """What regions have that are not worked on any more."""
     is_best: bool = False
     """Whether it is a finished mesh, and the best so far."""
 
@@ -81,39 +88,53 @@ def trials(contour: Contour, settings: MeshSettings, *, is_watched: bool) -> Ite
     MeshingError, WorkerError
         The plate could not be triangulated.
     """
-    task = _task(contour, settings)
-    guide = field(contour, settings.grading)
-    count, best, lowest = 1, None, inf
-    for number, candidate in enumerate(CANDIDATES):
-        if number == count or lowest < task.least_cost + _NOTHING_LEFT:
-            break
+    work = Patchwork(contour, _task(contour, settings))
+    work.offer(*grids(contour, work.task([])), are_grids=True)
+    yield _best(work, Step.MAPPED, 0, 1) if work.is_whole else None
+    if not work.open:
+        return
+    guide, count, best = field(contour, settings.grading), 1, 0
+    for number, candidate in enumerate((*CANDIDATES, LAST_RESORT)):
+        regions = work.avoidable if candidate is LAST_RESORT else work.open if number < count else []
+        if not regions:
+            continue
         yield None
-        placed = _triangulated(contour, candidate, guide)
-        for states in making(placed.nodes, placed.triangles, task, is_watched=is_watched):
-            trial = _trial(states, number, count, lowest)
+        placed, settled = _triangulated(contour, candidate, guide), work.apart_from(regions)
+        for states in making(*work.within(regions, placed), work.task(regions), is_watched=is_watched):
+            trial = _trial(work, states, settled, number, max(count, number + 1))
             if trial is not None and trial.is_best:
-                best, lowest = trial, trial.states.cost or 0.0
+                best = number
             yield trial
-        if number == 0 and best is not None:
-            count = max(1, min(len(CANDIDATES), _EFFORT // len(best.states.rows)))
-    if best is not None and lowest >= task.least_cost + _NOTHING_LEFT:
-        for states in shaking(best.states, task, is_watched=is_watched):
-            yield _trial(states, best.number, count, inf)
+            if number == 0 and states is not None and states.cost is not None:
+                count = max(1, min(len(CANDIDATES), _EFFORT // len(states.rows)))
+    if regions := work.open:
+        start, settled = whole(Step.SMOOTHED, *work.together(regions)), work.apart_from(regions)
+        for states in shaking(start, work.task(regions), is_watched=is_watched):
+            if states is not None and states.cost is not None:
+                work.offer(*states.at(0, work.given))
+                yield _best(work, states.step, best, max(count, best + 1))
+            else:
+                yield _trial(work, states, settled, best, max(count, best + 1))
 
 
-def _trial(states: States | None, number: int, count: int, lowest: float) -> Trial | None:
-    """States as those of a candidate; the best is finished and costs less than the lowest cost so far."""
+def _trial(work: Patchwork, states: States | None, settled: Cutting, number: int, count: int) -> Trial | None:
+    """States as those of a candidate; the best of all parts where they are finished and something is better."""
     if states is None:
         return None
-    is_best = states.cost is not None and states.cost < lowest
-    return Trial(number=number, count=count, states=states, is_best=is_best)
+    if states.cost is not None and work.offer(*states.at(0, work.given)):
+        return _best(work, states.step, number, count)
+    return Trial(number=number, count=count, states=states, settled=settled)
+
+
+def _best(work: Patchwork, step: Step, number: int, count: int) -> Trial:
+    """The best parts of all regions."""
+    return Trial(number=number, count=count, states=whole(step, *work.together(), work.cost), is_best=True)
 
 
 def _task(contour: Contour, settings: MeshSettings) -> Task:
-    angles, _ = corners(contour)
     return Task(
-        given=len(contour.nodes),
-        rim_ideal=fitting_elements(angles),
+        given=len(contour.cut.originals),
+        rim_ideal=contour.sides.fitting,
         size=contour.size,
         squares=contour.area / contour.size**2,
         unavoidable=contour.triangles_unavoidable,
@@ -123,18 +144,32 @@ def _task(contour: Contour, settings: MeshSettings) -> Task:
 
 def _triangulated(contour: Contour, candidate: Candidate, guide: Field) -> Triangulation:
     """Triangles of the contour and of a candidate's points."""
-    place = contour.plate.place
     if candidate.spacing == 0:
-        area = _OWN_AREA * contour.size**2
-        return triangulate(
-            contour.nodes,
-            contour.loop_starts,
-            area=area,
-            min_angle=_OWN_ANGLE,
-            place=place,
-            element_limit=MOST_TRIANGLES,
-        )
-    eased = attrs.evolve(guide, grading=candidate.grading * guide.grading)
-    points = aligned_points(contour.nodes, contour.segments, eased, contour.size, candidate.spacing)
-    nodes = np.concatenate([contour.nodes, points])
-    return triangulate(nodes, contour.loop_starts, area=None, place=place, element_limit=MOST_TRIANGLES)
+        return _delaunay(contour, np.empty((0, 2)), _OWN_AREA * contour.size**2)
+    eased, cut = attrs.evolve(guide, grading=candidate.grading * guide.grading), contour.cut
+    points = aligned_points(cut.nodes, cut.segments, eased, contour.size, candidate.spacing)
+    found = _delaunay(contour, points)
+    if candidate.halves_chords:
+        found = _delaunay(contour, np.concatenate([points, _chord_middles(contour, found)]))
+    return found
+
+
+def _delaunay(contour: Contour, points: Floats, area: float | None = None) -> Triangulation:
+    """Triangles of the contour and of points inside."""
+    return triangulate(
+        np.concatenate([contour.nodes, points]),
+        contour.loop_starts,
+        area=area,
+        min_angle=_OWN_ANGLE,
+        place=contour.plate.place,
+        lines=contour.line_edges,
+        element_limit=MOST_TRIANGLES,
+    )
+
+
+def _chord_middles(contour: Contour, found: Triangulation) -> Floats:
+    """(C, 2) middles of the edges that go across a region from one given node to another."""
+    nodes, triangles = contour.cut.cut(found.nodes, found.triangles)
+    sides, counts = edges(padded(triangles))
+    chords = sides[(counts == 2) & (sides < len(contour.cut.originals)).all(axis=1)]
+    return floats(nodes[chords].mean(axis=1))

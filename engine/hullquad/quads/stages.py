@@ -17,6 +17,7 @@ from hullquad.arrays import Floats, Ints, Longs, floats, ints, longs
 class Step(Enum):
     """What has just been done."""
 
+    MAPPED = "mapped"
     TRIANGULATED = "triangulated"
     JOINED = "joined"
     REPAIRED = "repaired"

@@ -21,9 +21,7 @@ from hullquad.arrays import Floats, Ints, Longs, floats, longs
 from hullquad.topology import paired_sides
 from hullquad.triangulation.contour import Contour
 from hullquad.triangulation.delaunay import triangulate
-from hullquad.triangulation.sides import Sides, fitting_elements
-
-__all__ = ["GRADING", "Field", "corners", "field", "fitting_elements"]
+from hullquad.triangulation.sides import Sides
 
 BACKGROUND_AREA = 2.0
 """Largest background triangle over the square of the element size."""
@@ -106,11 +104,6 @@ class _Wishes:
         middles = cut.nodes[ends].mean(axis=1)
         self.seeds = np.column_stack([middles, self.lengths[::2]])[is_fine]
         self.crosses = 4 * _arms(around)
-
-
-def corners(contour: Contour) -> tuple[Floats, Floats]:
-    """(S,) angle of the corner from which each side leaves, and direction of the side [rad]."""
-    return contour.sides.angles, contour.sides.headings
 
 
 def _arms(around: Sides) -> Floats:
