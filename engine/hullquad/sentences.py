@@ -37,11 +37,11 @@ SENTENCES: dict[str, str] = {
     "E_SUFFIX:write_mesh": "no mesh is written to files with the ending {suffix}, only to {known}",
     # meshes
     "E_EMPTY_MESH": "the mesh has no elements; there is nothing to judge or improve",
-    "E_MESH:coordinate": "node {node} has a coordinate that is no number or beyond 1e15 mm (so have {count} nodes); "
+    "E_MESH:coordinate": "node {node} has a coordinate that is no number or beyond 1e15 mm ({count} in all); "
     "correct it, or the units, in the program that wrote the mesh",
     "E_MESH:no_node": "element {element} uses node {found}, but nodes count from 0 and there are {nodes}; correct the "
     "numbers of its nodes",
-    "E_MESH:double_node": "element {element} uses a node twice (so do {count}); make it a triangle or remove it",
+    "E_MESH:double_node": "element {element} uses a node twice ({count} in all); make it a triangle or remove it",
     "E_MESH:no_size": "all nodes of the elements are in one place; correct the coordinates",
     "E_VTU:empty": "the file is empty",
     "E_VTU:gzip": "the file is packed with gzip; unpack it first",

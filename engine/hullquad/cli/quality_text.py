@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 from itertools import groupby
-from math import isfinite
+from math import isfinite, isnan
 from textwrap import wrap
 from typing import Any
 
@@ -45,7 +45,7 @@ def _metric(row: Metric, found: Figures) -> str:
         _band(row.band),
         f"{found['worst']:.4g}",
         found["worst_element"],
-        f"{found['mean']:.4g}",
+        "" if isnan(found["mean"]) else f"{found['mean']:.4g}",
         found["failing"],
         _share(found["failing_share"]) if found["failing"] else "",
         found["given"] or "",
