@@ -23,6 +23,8 @@ class Abilities:
     can_mesh_all: bool = False
     can_cancel: bool = False
     """Opening or meshing."""
+    can_even: bool = False
+    """Contours of the document are known to have odd numbers of edges."""
     can_save: bool = False
     can_save_plates: bool = False
     can_picture: bool = False
@@ -31,8 +33,8 @@ class Abilities:
     can_redo: bool = False
 
 
-def abilities(document: Document, jobs: Jobs) -> Abilities:
-    """What can be done with a document while jobs run."""
+def abilities(document: Document, jobs: Jobs, *, has_odd: bool) -> Abilities:
+    """What can be done with a document while jobs run; whether it has odd contours."""
     scene, plates = document.scene, document.scene.state.plates
     is_meshing, is_opening = jobs.meshing.is_running, jobs.opening.is_running
     has_mesh, iterates = scene.mesh is not None, 0 if scene.track is None else len(scene.track.iterates)
@@ -47,6 +49,7 @@ def abilities(document: Document, jobs: Jobs) -> Abilities:
         can_mesh=scene.plate is not None and scene.plate.is_plane and not is_meshing and not is_opening,
         can_mesh_all=plates is not None and len(plates.plates) > 1 and not is_meshing and not is_opening,
         can_cancel=is_meshing or is_opening,
+        can_even=has_odd and not is_meshing and not is_opening,
         can_save=bool(scene.state.tracks) and not jobs.saving.is_running,
         can_save_plates=plates is not None and not jobs.saving.is_running,
         can_picture=has_mesh,

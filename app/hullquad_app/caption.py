@@ -6,6 +6,7 @@ from PySide6.QtCore import QCoreApplication
 
 from hullquad.quality import Quality
 from hullquad_app.colours import INVERTED, LIGHT
+from hullquad_app.count_words import number_of
 from hullquad_app.limits import limit_words
 from hullquad_app.metric_words import name_of
 from hullquad_app.panels.figures import counted, valued
@@ -49,7 +50,7 @@ def _line(scene: Scene, quality: Quality) -> str:
     elif scene.track is not None and len(scene.track.iterates) > 1 and scene.iterate is not None:
         last = scene.track.last.number
         parts.append(_tr("iteration {number} of {last}").format(number=scene.iterate.number, last=last))
-    parts.append(_tr("1 element") if count == 1 else _tr("{count} elements").format(count=counted(count)))
+    parts.append(number_of("element", count))
     return " · ".join(parts)
 
 

@@ -173,6 +173,10 @@ class Docks(QObject):
         """Mesh every plate of the document, as the panel says."""
         self.meshing.all_plates.click()
 
+    def make_even(self) -> None:
+        """Make all contours of the document even, at the size that the panel says."""
+        self.meshing.prospect.evening_wanted.emit()
+
     def next_worst(self) -> None:
         """Select the element after the selected one, or the worst."""
         self.worst.next()

@@ -107,7 +107,7 @@ class Filing(QObject):
             self._go = lambda: self._leave_meshes(go)
 
     def _answer(self, text: str, buttons: QMessageBox.StandardButton, proposed: QMessageBox.StandardButton) -> int:
-        question = text.format(title=self._session.document.scene.state.title)
+        question = text.format(title=self._session.title)
         return QMessageBox.question(self._window, self.tr("HullQuad"), question, buttons, proposed)
 
     def _go_on(self) -> None:
@@ -135,8 +135,7 @@ class Filing(QObject):
 
     def _output(self, title: str, suffix: str, kinds: str, targets: Callable[[Path], Sequence[Path]]) -> Path | None:
         """The file somebody chose, if all that is written for it may be."""
-        source = self._session.document.scene.state.path
-        proposal = (source or Path(self._session.document.scene.state.title or "mesh")).with_suffix(suffix)
+        proposal = (self._session.path or Path(self._session.title or "mesh")).with_suffix(suffix)
         name, _ = QFileDialog.getSaveFileName(self._window, title, str(proposal), kinds)
         if not name:
             return None

@@ -1,6 +1,7 @@
 """What of a document is in files: what would not be lost."""
 
 from collections.abc import Mapping
+from pathlib import Path
 
 import attrs
 
@@ -13,13 +14,15 @@ from hullquad_app.track import Track
 class Kept:
     """Plates and meshes as they were opened or written last."""
 
+    path: Path | None = None
+    """File of the plates; where a mesh was opened, its."""
     plates: Document | None = None
     tracks: Mapping[str, Track] = attrs.field(factory=dict)
 
     @classmethod
     def of(cls, state: State) -> "Kept":
         """All of a state."""
-        return cls(state.plates, state.tracks)
+        return cls(state.path, state.plates, state.tracks)
 
     def has_plates(self, state: State) -> bool:
         """Whether the plates of a state are in a file."""

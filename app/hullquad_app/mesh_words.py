@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QT_TRANSLATE_NOOP, QCoreApplication
 
 from hullquad.mesh import Mesh
+from hullquad_app.count_words import number_of
 from hullquad_app.mesher import BEST, PAPER
-from hullquad_app.panels.figures import counted
 
 if TYPE_CHECKING:
     from hullquad.pipeline import MeshStage
@@ -49,9 +49,7 @@ def element_words(meshes: Iterable[Mesh]) -> str:
     """``1 triangle, 26 quads``, of all meshes together."""
     grids = [mesh.topology for mesh in meshes]
     triangles, quads = sum(len(grid.triangles) for grid in grids), sum(len(grid.quads) for grid in grids)
-    ends = (_tr("{triangles} triangle, ") if triangles == 1 else _tr("{triangles} triangles, ")) if triangles else ""
-    ends += _tr("{quads} quad") if quads == 1 else _tr("{quads} quads")
-    return ends.format(triangles=counted(triangles), quads=counted(quads))
+    return ", ".join([number_of("triangle", triangles)] * bool(triangles) + [number_of("quad", quads)])
 
 
 def _tr(text: str) -> str:

@@ -4,6 +4,7 @@ from PySide6.QtCore import QCoreApplication
 
 from hullquad.mesh import Mesh
 from hullquad.optimization.iterate import Iterate
+from hullquad_app.count_words import number_of
 from hullquad_app.objectives import objective_name
 from hullquad_app.panels.figures import counted, unit_of, valued
 from hullquad_app.plan import UNTANGLE, Plan
@@ -13,8 +14,8 @@ def run_label(plan: Plan, first: Iterate, last: Iterate, *, is_step: bool) -> st
     """What was done, to how many nodes if not to all, what came of it: ``Optimize stretch: 16.65 → 17.94``."""
     what, before, after = _figures(plan, first, last)
     if (chosen := plan.chosen(first.mesh)) is not None:
-        count = counted(int((chosen & first.mesh.topology.is_free).sum()))
-        what = _tr("{what} ({count} nodes)").format(what=what, count=count)
+        count = int((chosen & first.mesh.topology.is_free).sum())
+        what = f"{what} ({number_of('node', count)})"
     text = _tr("Step {what}: {before} → {after}") if is_step else _tr("Optimize {what}: {before} → {after}")
     return text.format(what=what, before=before, after=after)
 

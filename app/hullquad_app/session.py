@@ -79,6 +79,16 @@ class Session(QObject):
         state = self.document.scene.state
         return self.is_modified and (self.optimizer.is_running or not self.workshop.kept.has_meshes(state))
 
+    @property
+    def path(self) -> Path | None:
+        """File that the document is in."""
+        return self.workshop.kept.path
+
+    @property
+    def title(self) -> str:
+        """Name of that file; without one, of the document."""
+        return self.document.scene.state.title if self.path is None else self.path.stem
+
     def prepare(self) -> None:
         """Load what meshing and judging need, while the user looks at the empty window."""
         self.workshop.jobs.prepare()
@@ -250,6 +260,8 @@ class Session(QObject):
             source.connect(signal)
         self.document.changed.connect(self._remember)
         self.opened.connect(self.settings.add_recent)
+        self.saved.connect(self._remember_file)
+        self.divided.connect(self._tell_able)
         self.opened.connect(self.optimizer.forget)
         self.optimizer.ended_unmoved.connect(self._tell_stop)
         self.optimizer.failed.connect(self._tell_failed)
@@ -279,8 +291,12 @@ class Session(QObject):
         self._bookmarks.remember(scene)
         self._tell_able()
 
+    def _remember_file(self, files: list[Path]) -> None:
+        if len(files) == 1:  # the meshes of many plates would be all that is remembered
+            self.settings.add_recent(files[0])
+
     def _tell_able(self) -> None:
-        able = abilities(self.document, self.workshop.jobs)
+        able = abilities(self.document, self.workshop.jobs, has_odd=self.workshop.has_odd)
         able = attrs.evolve(able, can_step=able.can_step or self.optimizer.is_stepping)
         if able != self.abilities:
             self.abilities = able

@@ -10,6 +10,7 @@ from hullquad.metrics import Metric
 from hullquad.optimization.iterate import Iterate
 from hullquad.optimization.objective import Objective, objective_sum
 from hullquad_app.colours import COLOUR_MAPS, LIGHT, ColourMap, Palette
+from hullquad_app.count_words import number_of
 from hullquad_app.metric_words import name_of
 from hullquad_app.objectives import objective_name, optimised_by
 from hullquad_app.panels.figures import counted, sized, summed, valued
@@ -95,13 +96,9 @@ class StatusBar(QStatusBar):
 
     def _count_words(self, mesh: Mesh) -> str:
         grid = mesh.topology
-        text = self.tr("{quads} quads · {triangles} triangles · {nodes} nodes ({free} free)")
-        return text.format(
-            quads=counted(len(grid.quads)),
-            triangles=counted(len(grid.triangles)),
-            nodes=counted(len(mesh.points)),
-            free=counted(int(grid.is_free.sum())),
-        )
+        nouns = (("quad", len(grid.quads)), ("triangle", len(grid.triangles)), ("node", len(mesh.points)))
+        things = " · ".join(number_of(noun, count) for noun, count in nouns)
+        return self.tr("{things} ({free} free)").format(things=things, free=counted(int(grid.is_free.sum())))
 
     def _course_words(self) -> str:
         scene = self._scene

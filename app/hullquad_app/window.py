@@ -93,9 +93,7 @@ class MainWindow(QMainWindow):
         else:
             for shows in (self.folds, self.canvas, self.docks, self.choices, self.history, self.status):
                 shows.show_scene(scene)
-        name = scene.state.title
-        self.setWindowTitle(self.tr("{name}[*] – HullQuad").format(name=name) if name else self.tr("HullQuad"))
-        self.setWindowModified(self.session.is_modified)
+        self._show_title()
 
     def apply_theme(self, chosen: Theme) -> None:
         """Take a theme, and remember it."""
@@ -147,6 +145,11 @@ class MainWindow(QMainWindow):
     def _show_edits(self) -> None:
         edits = self.session.document.edits
         self.actions_by_name.show_edits(edits.undoText(), edits.redoText())
+        self._show_title()
+
+    def _show_title(self) -> None:
+        name = self.session.title
+        self.setWindowTitle(self.tr("{name}[*] – HullQuad").format(name=name) if name else self.tr("HullQuad"))
         self.setWindowModified(self.session.is_modified)
 
     def _show_place(self, notice: Notice) -> None:
@@ -213,6 +216,7 @@ class MainWindow(QMainWindow):
         session, edits = self.session, self.session.document.edits
         session.document.changed.connect(self.show_scene)
         session.message.connect(self.say)
+        session.saved.connect(self._show_title)
         session.busy.connect(lambda text, done, total: self.status.say_activity(_progress(text, done, total)))
         session.idle.connect(lambda: self.status.say_activity(""))
         session.able.connect(self.actions_by_name.show_abilities)

@@ -54,6 +54,7 @@ class Workshop(QObject):
         self.kept = Kept()
         self._document, self._settle = document, settle
         self._divisions: dict[Size, Division] = {}
+        self._newest: Division | None = None
         self._being_saved = self.kept
         for job in self.jobs.all:
             job.broke.connect(self._tell_broken)
@@ -81,9 +82,16 @@ class Workshop(QObject):
         """Have `divided` emitted with the contours of the document, at once if they are known."""
         plates, known = self._document.scene.state.plates, self.division(size)
         if known is not None:
+            self._newest = known
             self.divided.emit(known)
         elif plates is not None:
             self.jobs.divide(plates, size)
+
+    @property
+    def has_odd(self) -> bool:
+        """Whether contours of the document are odd, at the size that was asked for last."""
+        newest = self._newest
+        return newest is not None and newest.plates is self._document.scene.state.plates and bool(newest.odd)
 
     def redivide(self, change: "Remedy | None", size: Size) -> None:
         """Divide an edge otherwise, or None: make all contours even at a size."""
@@ -101,14 +109,15 @@ class Workshop(QObject):
     def save(self, files: Mapping[Path, Mesh]) -> None:
         """Write meshes, all that the document has."""
         scene = self._document.scene
-        self._being_saved = attrs.evolve(self.kept, tracks=scene.state.tracks)
+        path = self.kept.path if scene.state.plates is not None else next(iter(files))
+        self._being_saved = attrs.evolve(self.kept, path=path, tracks=scene.state.tracks)
         self.jobs.save(files, scene.view.metric)
 
     def save_plates(self, path: Path) -> None:
         """Write the plates of the document."""
         plates = self._document.scene.state.plates
         if plates is not None:
-            self._being_saved = attrs.evolve(self.kept, plates=plates)
+            self._being_saved = attrs.evolve(self.kept, path=path, plates=plates)
             self.jobs.save_plates(plates, path)
 
     def cancel(self) -> None:
@@ -132,6 +141,7 @@ class Workshop(QObject):
             for size in list(self._divisions)[: 1 - KEPT_DIVISIONS]:
                 del self._divisions[size]
             self._divisions[division.size] = division
+            self._newest = division
             self.divided.emit(division)
 
     def _show_redivided(self, found: Redivided) -> None:

@@ -14,6 +14,7 @@ from hullquad.optimization.selection import rings
 from hullquad.optimization.settings import PaperSettings, SearchSettings
 from hullquad.optimizers import OPTIMIZERS, iterates
 from hullquad.rules import rule_set
+from hullquad_app.count_words import number_of
 from hullquad_app.document import Document
 from hullquad_app.optimizer import Optimizer
 from hullquad_app.plan import planned
@@ -140,7 +141,7 @@ def test_only_what_is_selected_and_near_it_moves(act, document, dented, count):
     assert has_moved.any()
     assert not (has_moved & ~may_move).any()
     free = int((may_move & dented.topology.is_free).sum())
-    assert document.edits.undoText().startswith(f"Optimize stretch ({free} nodes): ")
+    assert document.edits.undoText().startswith(f"Optimize stretch ({number_of('node', free)}): ")
     assert same(scene.iterate, outcome(script(dented, "default", chosen=may_move)).best)
 
 

@@ -147,6 +147,27 @@ def test_plates_and_meshes_are_each_unsaved_until_they_are_written(session, open
     assert (session.is_modified, session.has_unsaved_plates) == (True, True)
 
 
+def test_saved_plates_are_the_document_from_then_on(session, open_, found, after, qtbot, tmp_path):
+    open_(TOE)
+    assert (session.path, session.title) == (TOE, "bracket_toe")
+    after(session.redivide, found().remedies["bracket_toe"])
+    with qtbot.waitSignal(session.saved):
+        session.save_plates(tmp_path / "toe.json")
+    session.undo()
+    assert (session.path, session.title) == (tmp_path / "toe.json", "toe")
+    assert session.settings.recent[:2] == [tmp_path / "toe.json", TOE]
+
+
+def test_contours_can_be_made_even_where_some_are_odd(session, open_, found, after):
+    open_(TOE)
+    assert not session.abilities.can_even  # nobody knows yet
+    change = found().remedies["bracket_toe"]
+    assert session.abilities.can_even
+    after(session.redivide, change)
+    found()
+    assert not session.abilities.can_even
+
+
 def test_a_mesh_of_edited_plates_names_the_file_they_are_saved_to(session, open_, found, after, qtbot, tmp_path):
     open_(TOE)
     after(session.redivide, found().remedies["bracket_toe"])

@@ -11,6 +11,7 @@ from hullquad.optimization.objective import objective
 from hullquad.optimization.paper import objective_sum
 from hullquad.quality import quality
 from hullquad_app.colours import DARK
+from hullquad_app.count_words import number_of
 from hullquad_app.passage import Passage
 from hullquad_app.scene import Scene, View
 from hullquad_app.status import StatusBar
@@ -48,6 +49,18 @@ def test_an_empty_window_tells_nothing(bar):
 def test_the_size_of_the_mesh_is_told(bar, walked):
     bar.show_scene(scene(walked))
     assert bar.counts.text() == "8 quads · 2 triangles · 16 nodes (4 free)"
+
+
+@pytest.mark.parametrize(("count", "words"), [(0, "0 triangles"), (1, "1 triangle"), (2, "2 triangles")])
+def test_one_thing_is_told_as_one(count, words):
+    assert number_of("triangle", count) == words
+
+
+def test_a_text_without_room_is_cut_and_holds_no_window_wide(bar, walked, qtbot):
+    bar.show_scene(scene(walked))
+    bar.resize(300, 24)
+    assert bar.width() == 300
+    assert bar.minimumSizeHint().width() < 100
 
 
 def test_the_objective_is_that_of_the_shown_iterate(bar, walked):

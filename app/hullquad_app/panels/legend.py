@@ -6,10 +6,11 @@ from PySide6.QtCore import QCoreApplication, QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter
 
 from hullquad_app.colours import ColourMap, Palette
+from hullquad_app.count_words import number_of
 from hullquad_app.level_legend import draw_swatch
 from hullquad_app.metric_words import name_of
 from hullquad_app.panels.bars import LEGEND_LINE, Bars, first_pen
-from hullquad_app.panels.figures import counted, plain
+from hullquad_app.panels.figures import plain
 from hullquad_app.panels.limit import draw_triangle, has_triangle_limit
 
 _LEFT = Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter
@@ -39,9 +40,8 @@ def _entries(plot: Bars) -> list[tuple[str, str]]:
     if plot.first is not None:
         entries.append(("first", _tr("iteration 0")))
     if is_other and not row.holds_triangles:
-        entries.append(
-            ("", _tr("{count} triangles by {judge}: not here").format(count=counted(triangles), judge=judge))
-        )
+        text = _tr("{triangles} by {judge}: not here")
+        entries.append(("", text.format(triangles=number_of("triangle", triangles), judge=judge)))
     elif has_triangle_limit(plot.quality):
         text = _tr("limit of triangles, by {judge}") if is_other else _tr("limit of triangles")
         entries.append(("triangle", text.format(judge=judge)))
@@ -54,9 +54,7 @@ def _entries(plot: Bars) -> list[tuple[str, str]]:
 
 def bin_words(plot: Bars, number: int) -> str:
     """Range and number of the elements of a bin."""
-    count = int(plot.now.totals[number])
-    text = _tr("{range}: 1 element") if count == 1 else _tr("{range}: {count} elements")
-    return text.format(range=_range(plot, number), count=counted(count))
+    return f"{_range(plot, number)}: {number_of('element', int(plot.now.totals[number]))}"
 
 
 def _range(plot: Bars, number: int) -> str:

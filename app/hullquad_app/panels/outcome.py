@@ -5,6 +5,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QSizePolicy, QVBoxLayout, QWi
 
 from hullquad_app.balance import Balance, Side, balance
 from hullquad_app.colours import COLOUR_MAPS, INVERTED, LIGHT, ColourMap, Palette
+from hullquad_app.count_words import number_of
 from hullquad_app.metric_words import name_of
 from hullquad_app.objectives import objective_name
 from hullquad_app.panels.figures import CAPTION, counted, sized, summed, valued
@@ -84,7 +85,7 @@ class OutcomePanel(QWidget):
     def _effort_words(self, found: Balance) -> str:
         if not found.iterations:
             return ""
-        texts = [self.tr("{count} iterations").format(count=counted(found.iterations))]
+        texts = [number_of("iteration", found.iterations)]
         if found.seconds is not None:
             texts.append(f"{found.seconds:.2f} s")
         texts.append(self.tr("moved by up to {length} mm").format(length=f"{found.displacement:.3g}"))
