@@ -78,6 +78,13 @@ def test_fine_seeds_do_not_flood_a_plate():
     assert len(mesh.topology.elements) < 1.5 * 200
 
 
+def test_a_plate_with_two_sharp_tips_has_a_triangle_in_neither():
+    upper = [(706, 0), (668, 99), (631, 197), (593, 296), (555, 394), (445, 368), (334, 341), (223, 315), (111, 288)]
+    lower = [(0, 262), (80, 245), (160, 228), (240, 212), (320, 195), (399, 178), (479, 162), (555, 108), (631, 54)]
+    mesh = pipeline.best_mesh(of_nodes(np.array([*upper, *lower], dtype=float), 100.0))
+    assert len(mesh.topology.triangles) == 0
+
+
 def test_a_smaller_grading_makes_more_elements_around_fine_seeds():
     contour = CONTOURS["floor_manholes_slots-floor_manholes_slots coarse"]
     small, large = (len(pipeline.best_mesh(contour, "", MeshSettings(grading=g)).topology.elements) for g in (0.3, 0.9))

@@ -30,7 +30,7 @@ def propose(made: Draft, wish: Change, node: int, number: int) -> bool:
     clear(wish)
     element, kind = made.around[node, number // PROPOSALS], number % PROPOSALS
     if kind <= 1:
-        return _rotate(made, wish, element, node, 1 + kind)
+        return _refill(made, wish, element, node, 1 + kind)
     if kind <= 3:
         return _collapse(made, wish, element, node if kind == 2 else node_after(made.elements, element, node, 1))
     if kind == 4:
@@ -38,7 +38,7 @@ def propose(made: Draft, wish: Change, node: int, number: int) -> bool:
     if kind <= 9:
         return divide(made, wish, element, node, kind - 5)
     if kind <= 11:
-        return _centre_hexagon(made, wish, element, node, kind - 10)
+        return _refill(made, wish, element, node, kind - 7)
     return centre_pentagon(made, wish, element, node, kind - 12)
 
 
@@ -62,27 +62,27 @@ def _hexagon(made: Draft, wish: Change, element: int, node: int) -> tuple[bool, 
     )
 
 
-@woven
-def _rotate(made: Draft, wish: Change, element: int, node: int, steps: int) -> bool:
-    """Turn the edge that leaves a node by one or two corners of the hexagon of the two quads beside it."""
+@called
+def _refill(made: Draft, wish: Change, element: int, node: int, number: int) -> bool:
+    """Fill the hexagon of the two quads beside the edge that leaves a node otherwise."""
     found, ring = _hexagon(made, wish, element, node)
-    if found:
-        add(wish, ring[steps], ring[steps + 1], ring[steps + 2], ring[(steps + 3) % 6])
-        add(wish, ring[(steps + 3) % 6], ring[(steps + 4) % 6], ring[(steps + 5) % 6], ring[steps])
-    return found
+    return found and fill_hexagon(made, wish, ring, number)
 
 
-@woven
-def _centre_hexagon(made: Draft, wish: Change, element: int, node: int, first: int) -> bool:
-    """Three quads around a new node in the place of two."""
-    found, ring = _hexagon(made, wish, element, node)
+@called
+def fill_hexagon(made: Draft, wish: Change, ring: Ring, number: int) -> bool:
+    """Two quads with an edge from a node (0, 1, 2) of a ring to the one opposite, or three (3, 4) around a new node."""
+    if number < 3:
+        add(wish, ring[number], ring[number + 1], ring[number + 2], ring[(number + 3) % 6])
+        add(wish, ring[(number + 3) % 6], ring[(number + 4) % 6], ring[(number + 5) % 6], ring[number])
+        return True
     centre = made.tallies[NODES]
-    if not found or centre >= len(made.nodes):
+    if centre >= len(made.nodes):
         return False
     x, y = 0.0, 0.0
     for i in range(6):
         x, y = x + made.nodes[ring[i], 0] / 6.0, y + made.nodes[ring[i], 1] / 6.0
-    for i in range(first, 6, 2):
+    for i in range(number - 3, 6, 2):
         add(wish, ring[i], ring[(i + 1) % 6], ring[(i + 2) % 6], centre)
     place(wish, centre, x, y)
     return True

@@ -18,7 +18,8 @@ from hullquad.arrays import Longs
 from hullquad.metrics.compiled import called, plain, woven
 from hullquad.quads.changes import centre_pentagon, divide
 from hullquad.quads.draft import NONE, Draft, corner_count, element_across, element_with_side
-from hullquad.quads.trial import ADDED, FAIRLY, FULLY, NEVER, ONE_RING, TWO_RINGS, WELL, Change, Ground, attempt
+from hullquad.quads.trial import ADDED, FAIRLY, NEVER, ONE_RING, TWO_RINGS, WELL, Change, Ground, attempt
+from hullquad.quads.uniting import united
 
 _STEP_COST = 2.0
 """Energy that one element more on the way outweighs."""
@@ -94,7 +95,7 @@ def walk(made: Draft, wish: Change, floor: Ground, at: Longs, steps: int) -> int
             return LOST
         slack = 1 if detours > 0 else 0
         if distances[triangle] == 1:
-            if _join(made, wish, floor, triangle, target):
+            if united(made, wish, floor, triangle, target):
                 return JOINED
             if detours <= 0:
                 return LOST
@@ -121,14 +122,3 @@ def walk(made: Draft, wish: Change, floor: Ground, at: Longs, steps: int) -> int
         triangle = floor.rows[0]
     at[0], at[1], at[2] = triangle, target, detours
     return GOING_ON
-
-
-@woven
-def _join(made: Draft, wish: Change, floor: Ground, triangle: int, target: int) -> bool:
-    """Join two triangles with a common edge."""
-    for corner in range(3):
-        start, end = made.elements[triangle, corner], made.elements[triangle, (corner + 1) % 3]
-        if element_across(made, triangle, start, end) == target:
-            divide(made, wish, triangle, start, 0)
-            return attempt(made, wish, floor, TWO_RINGS, FULLY, NEVER) > NEVER
-    return False
