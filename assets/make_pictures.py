@@ -1,9 +1,13 @@
-"""Take the pictures of the README from the program itself: ``python assets/make_pictures.py`` (on a screen or Xvfb)."""
+"""Take the pictures of the README from the program itself: ``python assets/make_pictures.py`` (on a screen or Xvfb).
+
+Those of meshes alone are drawn first, and by themselves by ``make_figures.py``, which needs no screen.
+"""
 
 import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
+import make_figures
 from PySide6.QtCore import QSettings
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
@@ -34,6 +38,7 @@ def take(window: MainWindow, name: str) -> None:
 
 def main() -> None:
     """Go through the README's five minutes, taking pictures on the way."""
+    make_figures.main()
     application = QApplication([])
     application.setStyle("Fusion")
     FOLDER.mkdir(exist_ok=True)
