@@ -25,6 +25,8 @@ class Division:
 
     plates: Document
     size: Size
+    follows_lines: bool
+    """Whether elements are to follow stiffeners and seams as a whole."""
     contours: Mapping[str, Attempt]
     """Of the plane plates, by id."""
     notices: Mapping[str, Sequence[Notice]] = attrs.field(factory=dict)
@@ -34,21 +36,21 @@ class Division:
 
     @cached_property
     def odd(self) -> tuple[str, ...]:
-        """Ids of the plates with an odd number of contour edges."""
+        """Ids of the plates whose only unavoidable triangle comes from an odd number of contour edges."""
         return tuple(
             key
             for key, contour in self.contours.items()
-            if not isinstance(contour, PlateError) and contour.triangles_unavoidable
+            if not isinstance(contour, PlateError) and contour.is_odd and contour.triangles_unavoidable == 1
         )
 
 
-def division(plates: Document, size: Size) -> Division:
+def division(plates: Document, size: Size, *, follows_lines: bool = False) -> Division:
     """The contours of the plane plates, with all that is to be said about each plate."""
     from hullquad.triangulation.contour import attempts  # noqa: PLC0415  all of these bring Shapely
     from hullquad.triangulation.remedies import remedy  # noqa: PLC0415
 
-    contours = attempts(plates, size)
-    found = Division(plates, size, contours, _notices(plates, size, contours))
+    contours = attempts(plates, size, follow_lines=follows_lines)
+    found = Division(plates, size, follows_lines, contours, _notices(plates, size, contours))
     remedies = {key: change for key in found.odd if (change := remedy(plates, key, size)) is not None}
     return attrs.evolve(found, remedies=remedies)
 

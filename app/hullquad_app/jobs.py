@@ -152,9 +152,9 @@ class Jobs(QObject):
         """Read a document or a mesh."""
         self.opening.start(partial(work.opened, path, metric))
 
-    def divide(self, plates: Document, size: Size) -> None:
-        """Divide the contours of all plates."""
-        self.dividing.start(partial(work.divided, plates, size))
+    def divide(self, plates: Document, size: Size, *, follows_lines: bool = False) -> None:
+        """Divide the contours of all plates, and their lines if elements are to follow them."""
+        self.dividing.start(partial(work.divided, plates, size, follows_lines=follows_lines))
 
     def edit(self, plates: Document, change: "Remedy | None", size: Size) -> None:
         """Divide an edge otherwise, or None: make all contours even."""

@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from hullquad.pipeline import MeshStage
 
 STEPS = {
+    "mapped": str(QT_TRANSLATE_NOOP("MeshWords", "laid out as grids")),
     "triangulated": str(QT_TRANSLATE_NOOP("MeshWords", "triangulated")),
     "joined": str(QT_TRANSLATE_NOOP("MeshWords", "triangles joined to quads")),
     "repaired": str(QT_TRANSLATE_NOOP("MeshWords", "triangles repaired")),

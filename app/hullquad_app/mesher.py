@@ -14,11 +14,13 @@ class Mesher:
     """A mesher and its options, but the element size."""
 
     name: str = BEST
-    """One of `MESHERS`; the paper's has no options."""
+    """One of `MESHERS`; the paper's has no options but the lines."""
     prefer: str = Preference.QUADS.value
     """One of `PREFERENCES`."""
     grading: float = GRADING
     """By how much elements may grow per length away from short segments."""
+    follows_lines: bool = False
+    """Whether elements follow stiffeners and seams as a whole, of either mesher; else only their ends are nodes."""
 
     @property
     def settings(self) -> MeshSettings:

@@ -118,6 +118,7 @@ def meshing(house: House) -> "MeshingPanel":
     panel.requested.connect(lambda size, all_plates: session.mesh(size, all_plates=all_plates))
     panel.remedy_wanted.connect(session.redivide)
     panel.mesher.changed.connect(session.set_mesher)
+    panel.mesher.changed.connect(panel.ask)  # what is to come of a size depends on whether lines are followed
     panel.mesher.show_mesher(session.settings.mesher)
     panel.cancelled.connect(session.cancel)
     panel.prospect.place_wanted.connect(house.show_place)

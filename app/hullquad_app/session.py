@@ -109,8 +109,8 @@ class Session(QObject):
             self._tell_able()
 
     def divide(self, size: Size = None) -> None:
-        """Have `divided` emitted with the contours for a size."""
-        self.workshop.divide(size)
+        """Have `divided` emitted with the contours for a size, and for whether elements follow lines."""
+        self.workshop.divide(size, follows_lines=self.settings.mesher.follows_lines)
 
     def redivide(self, change: "Remedy | None", size: Size = None) -> None:
         """Divide an edge otherwise in all plates that have it, or None: make all contours even at a size.

@@ -194,6 +194,7 @@ _MESHER: dict[str, Callable[[Any], bool]] = {
     "name": lambda value: value in MESHERS,
     "prefer": lambda value: value in PREFERENCES,
     "grading": lambda value: _is_number(value) and LEAST_GRADING <= value <= LARGEST_GRADING,
+    "follows_lines": lambda value: isinstance(value, bool),
 }
 _SEARCH: dict[str, Callable[[Any], bool]] = {
     "optimizer": lambda value: value in _OPTIMIZERS,

@@ -89,10 +89,10 @@ def opened(path: Path, metric: Metric) -> Work:
     return State(title=path.stem, path=path, tracks={mesh.plate_id or path.stem: _track(mesh, metric)})
 
 
-def divided(plates: Document, size: Size) -> Work:
+def divided(plates: Document, size: Size, *, follows_lines: bool = False) -> Work:
     """The `Division` of a document."""
     yield Progress(_translated("Dividing contours"))
-    return division(plates, size)
+    return division(plates, size, follows_lines=follows_lines)
 
 
 def edited(plates: Document, change: "Remedy | None", size: Size) -> Work:
@@ -117,7 +117,7 @@ def meshed(
     yield Progress(_translated("Dividing contours"))
     from hullquad.triangulation.contour import attempts  # noqa: PLC0415
 
-    contours = contours or attempts(state.plates, size)
+    contours = contours or attempts(state.plates, size, follow_lines=mesher.follows_lines)
     tracks: dict[str, Track] = {}
     refused: dict[str, HullquadError] = {}
     for i, key in enumerate(keys):

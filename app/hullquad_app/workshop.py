@@ -53,7 +53,7 @@ class Workshop(QObject):
         """Why plates could not be meshed, by id."""
         self.kept = Kept()
         self._document, self._settle = document, settle
-        self._divisions: dict[Size, Division] = {}
+        self._divisions: dict[tuple[Size, bool], Division] = {}
         self._newest: Division | None = None
         self._being_saved = self.kept
         for job in self.jobs.all:
@@ -73,19 +73,19 @@ class Workshop(QObject):
         """Read a document or a mesh, and show it."""
         self.jobs.open(path, optimised_by(self._document.scene.view.metric))
 
-    def division(self, size: Size) -> Division | None:
+    def division(self, size: Size, *, follows_lines: bool) -> Division | None:
         """Contours of the document, divided for a size, if they are known."""
-        known = self._divisions.get(size)
+        known = self._divisions.get((size, follows_lines))
         return known if known is not None and known.plates is self._document.scene.state.plates else None
 
-    def divide(self, size: Size) -> None:
+    def divide(self, size: Size, *, follows_lines: bool) -> None:
         """Have `divided` emitted with the contours of the document, at once if they are known."""
-        plates, known = self._document.scene.state.plates, self.division(size)
+        plates, known = self._document.scene.state.plates, self.division(size, follows_lines=follows_lines)
         if known is not None:
             self._newest = known
             self.divided.emit(known)
         elif plates is not None:
-            self.jobs.divide(plates, size)
+            self.jobs.divide(plates, size, follows_lines=follows_lines)
 
     @property
     def has_odd(self) -> bool:
@@ -101,7 +101,7 @@ class Workshop(QObject):
 
     def mesh(self, keys: Sequence[str], size: Size, mesher: Mesher) -> None:
         """Mesh plates of the document."""
-        scene, known = self._document.scene, self.division(size)
+        scene, known = self._document.scene, self.division(size, follows_lines=mesher.follows_lines)
         self.jobs.mesh(
             scene.state, keys, size, mesher, optimised_by(scene.view.metric), None if known is None else known.contours
         )
@@ -138,9 +138,9 @@ class Workshop(QObject):
 
     def _show_divided(self, division: Division) -> None:
         if division.plates is self._document.scene.state.plates:
-            for size in list(self._divisions)[: 1 - KEPT_DIVISIONS]:
-                del self._divisions[size]
-            self._divisions[division.size] = division
+            for known in list(self._divisions)[: 1 - KEPT_DIVISIONS]:
+                del self._divisions[known]
+            self._divisions[division.size, division.follows_lines] = division
             self._newest = division
             self.divided.emit(division)
 

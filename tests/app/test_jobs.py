@@ -10,6 +10,7 @@ from hullquad import pipeline, worker
 from hullquad.errors import FileError, MeshingError, PlateError
 from hullquad.formats import read_plates
 from hullquad.metrics import metric
+from hullquad.topology import NodeState
 from hullquad.triangulation.contour import contours
 from hullquad_app.jobs import Job, Jobs
 from hullquad_app.mesher import Mesher
@@ -142,6 +143,13 @@ def test_a_plate_is_meshed_as_the_engine_does_by_itself(jobs, block, qtbot, mesh
     )
     assert np.array_equal(meshed.tracks["H1"].first.mesh.points, by_itself.points)
     assert meshed.mesher is mesher
+
+
+@pytest.mark.parametrize("name", ["best", "paper"])
+def test_elements_follow_lines_if_they_are_to(jobs, block, qtbot, name):
+    meshed = answer(qtbot, jobs.meshing.done, mesh(jobs, block, ["B1"], 800.0, Mesher(name=name, follows_lines=True)))
+    topology = meshed.tracks["B1"].first.mesh.topology
+    assert (topology.node_states == NodeState.ON_LINE).any()
 
 
 def test_the_stages_of_the_best_mesher_are_told(jobs, block, qtbot):

@@ -213,6 +213,29 @@ def test_the_best_mesher_is_chosen_first_and_others_can_be(panel, qtbot):
     assert not boxes.grading.isVisible()
 
 
+def test_elements_follow_lines_if_asked_to_by_either_mesher(panel, qtbot):
+    told = []
+    panel.mesher.changed.connect(told.append)
+    assert not panel.mesher.lines.isChecked()
+    qtbot.mouseClick(panel.mesher.lines, Qt.MouseButton.LeftButton)
+    assert told == [Mesher(follows_lines=True)]
+    panel.mesher.show_mesher(Mesher(name="paper"))
+    assert panel.mesher.lines.isVisible()
+    assert not panel.mesher.lines.isChecked()
+
+
+def test_what_is_known_of_contours_is_not_shown_of_followed_lines(panel):
+    plates = read_plates(PLATES / "floor_manholes.json")
+    show(panel, plates)
+    panel.mesher.show_mesher(Mesher(follows_lines=True))
+    panel.ask()
+    assert panel.prospect.sentence.text() == "Unavoidable triangles: …"
+    panel.show_division(division(plates, None, follows_lines=True))
+    assert panel.prospect.sentence.text().startswith("Unavoidable triangles: 0")
+    texts = [panel.prospect.notices.item(row).text() for row in range(panel.prospect.notices.count())]
+    assert any("too narrow for elements of 800 mm that follow it" in text for text in texts)
+
+
 def test_what_was_chosen_last_is_shown(panel):
     panel.mesher.show_mesher(Mesher(prefer="quality", grading=0.7))
     assert (panel.mesher.preferences.currentText(), panel.mesher.grading.value()) == ("best worst element", 0.7)

@@ -16,6 +16,7 @@ from hullquad.metrics import metric
 from hullquad.optimization.paper import PaperSettings, unmoved
 from hullquad.triangulation.contour import contours
 from hullquad_app.abilities import Abilities
+from hullquad_app.mesher import Mesher
 from hullquad_app.scene import State
 from hullquad_app.search import Search
 from hullquad_app.session import Session
@@ -396,6 +397,17 @@ def test_contours_are_divided_once_for_a_size(session, open_, qtbot):
         session.divide("fine")
     assert first.args[0] is again.args[0]
     assert first.args[0].contours["H1"].edge_count > 0
+
+
+def test_contours_are_divided_anew_when_lines_are_to_be_followed(session, open_, qtbot):
+    open_(BLOCK)
+    with qtbot.waitSignal(session.divided) as before:
+        session.divide()
+    session.set_mesher(Mesher(follows_lines=True))
+    with qtbot.waitSignal(session.divided) as after:
+        session.divide()
+    assert not before.args[0].follows_lines
+    assert len(after.args[0].contours["B1"].line_edges) > 0
 
 
 def test_a_session_can_be_closed_in_the_middle_of_everything(session, open_, qtbot, tmp_path):

@@ -45,7 +45,7 @@ def test_the_next_start_finds_what_was_set(ini):
     before.bands, before.metric, before.objective = {"stretch": (0.4, math.inf)}, "shape", "min_angle=2,shape"
     before.paper = PaperSettings(step=0.001, iterations=50, guard=False)
     before.search = Search(optimizer="worst", floor=None, iterations=9, seconds=3, is_local=True, rings=0)
-    before.mesher = Mesher(name="paper", prefer="quality", grading=0.7)
+    before.mesher = Mesher(name="paper", prefer="quality", grading=0.7, follows_lines=True)
     expected = values(before)
     del before
     assert values(opened(ini)) == expected
@@ -75,7 +75,8 @@ def test_of_what_is_kept_only_the_sound_parts_count(ini):
     store.setValue("bands", json.dumps({"stretch": [0.4], "beauty": [1.0], "shape": [math.inf], "skew": [0.1, 0.2]}))
     search = {"optimizer": "luck", "floor": True, "iterations": 0, "seconds": 1.5, "is_local": 1, "rings": 1, "new": 3}
     store.setValue("search", json.dumps(search))
-    store.setValue("mesher", json.dumps({"name": "luck", "prefer": ["quads"], "grading": 0.3, "new": 3}))
+    mesher = {"name": "luck", "prefer": ["quads"], "grading": 0.3, "follows_lines": 1, "new": 3}
+    store.setValue("mesher", json.dumps(mesher))
     store.setValue("objective", json.dumps("stretch=2,beauty"))
     assert Settings(store).paper == PaperSettings(step=0.01)
     assert Settings(store).search == Search(rings=1)

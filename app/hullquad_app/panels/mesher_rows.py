@@ -5,11 +5,11 @@ from typing import Any
 
 import attrs
 from PySide6.QtCore import QObject, QSignalBlocker, Signal
-from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QFormLayout, QHBoxLayout, QLabel
+from PySide6.QtWidgets import QCheckBox, QComboBox, QDoubleSpinBox, QFormLayout, QHBoxLayout, QLabel
 
 from hullquad.quads.settings import LARGEST_GRADING, LEAST_GRADING, Preference
-from hullquad_app.mesher import BEST, PAPER, Mesher
 from hullquad_app.grouped_box import narrow
+from hullquad_app.mesher import BEST, PAPER, Mesher
 from hullquad_app.panels.explained import explain
 
 _STEP = 0.05
@@ -17,7 +17,7 @@ _STEP = 0.05
 
 
 class MesherRows(QObject):
-    """Boxes for all that a `Mesher` says; the paper's mesher has no options."""
+    """Boxes for all that a `Mesher` says; the paper's mesher has no options but the lines."""
 
     changed = Signal(object)
     """Emitted with a `Mesher`, when the user has changed it."""
@@ -28,6 +28,7 @@ class MesherRows(QObject):
         self.names, self.preferences = QComboBox(), QComboBox()
         self.grading = QDoubleSpinBox(minimum=LEAST_GRADING, maximum=LARGEST_GRADING, singleStep=_STEP)
         self.grading.setKeyboardTracking(False)
+        self.lines = QCheckBox(self.tr("Fo&llow stiffeners and seams"))
         self.names.addItem(self.tr("best: no avoidable triangle"), BEST)
         self.names.addItem(self.tr("paper: Delaunay, advancing front"), PAPER)
         self.preferences.addItem(self.tr("fewest triangles"), Preference.QUADS.value)
@@ -37,7 +38,13 @@ class MesherRows(QObject):
         self._explain()
         self.names.activated.connect(lambda: self._change(name=self.names.currentData()))
         self.preferences.activated.connect(lambda: self._change(prefer=self.preferences.currentData()))
+        self.lines.clicked.connect(lambda checked: self._change(follows_lines=checked))
         self.grading.valueChanged.connect(lambda value: self._change(grading=round(value, 2)))
+
+    @property
+    def mesher(self) -> Mesher:
+        """How plates are meshed."""
+        return self._mesher
 
     def add_to(self, form: QFormLayout) -> None:
         """Put the boxes into a form."""
@@ -51,6 +58,7 @@ class MesherRows(QObject):
         prefer = QLabel(self.tr("P&refer"))
         prefer.setBuddy(self.preferences)
         form.addRow(prefer, self._options)
+        form.addRow("", self.lines)
         self.show_mesher(self._mesher)
 
     def show_mesher(self, mesher: Mesher) -> None:
@@ -62,6 +70,7 @@ class MesherRows(QObject):
             self.names.setCurrentIndex(self.names.findData(mesher.name))
             self.preferences.setCurrentIndex(self.preferences.findData(mesher.prefer))
             self.grading.setValue(mesher.grading)
+        self.lines.setChecked(mesher.follows_lines)
         if self._options.count():
             self._form.setRowVisible(self._options, mesher.name == BEST)
 
@@ -70,6 +79,11 @@ class MesherRows(QObject):
         self.changed.emit(self._mesher)
 
     def _explain(self) -> None:
+        explain(
+            self.lines,
+            self.tr("Follow stiffeners and seams"),
+            self.tr("Elements have edges along stiffeners and seams; else there are only nodes at their ends."),
+        )
         explain(
             self.names,
             self.tr("Mesher"),

@@ -76,7 +76,7 @@ class MeshingPanel(QWidget):
             count = 0 if scene.state.plates is None else len(scene.state.plates.plates)
             self.all_plates.setText(self.tr("Mesh &all {count} plates").format(count=count))
             self.all_plates.setVisible(count > 1)
-            self._ask()
+            self.ask()
 
     def show_abilities(self, able: Abilities) -> None:
         """Enable what can be done."""
@@ -107,9 +107,15 @@ class MeshingPanel(QWidget):
         coloured(self.task, palette.dim)
         self.prospect.set_palette(palette)
 
+    def ask(self) -> None:
+        """Ask for the contours of the size that is chosen, and say meanwhile that they are to come."""
+        self._show_prospect()
+        if self._scene.state.plates is not None:
+            self.size_chosen.emit(self.size_wanted)
+
     def _connect(self) -> None:
         self.sizes.activated.connect(self._choose)
-        self.millimetres.valueChanged.connect(self._ask)
+        self.millimetres.valueChanged.connect(self.ask)
         self.one.clicked.connect(lambda: self.requested.emit(self.size_wanted, False))
         self.all_plates.clicked.connect(lambda: self.requested.emit(self.size_wanted, True))
         self.cancel.clicked.connect(self.cancelled)
@@ -118,12 +124,7 @@ class MeshingPanel(QWidget):
 
     def _choose(self) -> None:
         self.millimetres.setVisible(self.sizes.currentData() == _OTHER)
-        self._ask()
-
-    def _ask(self) -> None:
-        self._show_prospect()
-        if self._scene.state.plates is not None:
-            self.size_chosen.emit(self.size_wanted)
+        self.ask()
 
     def _list_sizes(self, plate: Plate | None) -> None:
         """List the sizes with the lengths that a plate gives them; the chosen one stays."""
@@ -140,8 +141,9 @@ class MeshingPanel(QWidget):
                 self.millimetres.setValue(plate.target_size)
 
     def _show_prospect(self) -> None:
-        known, wanted = self._division, (self._scene.state.plates, self.size_wanted)
-        is_of_this = known is not None and (known.plates, known.size) == wanted
+        known = self._division
+        wanted = self._scene.state.plates, self.size_wanted, self.mesher.mesher.follows_lines
+        is_of_this = known is not None and (known.plates, known.size, known.follows_lines) == wanted
         self.prospect.show_division(self._scene.plate, known if is_of_this else None)
 
     def _show_task(self, *, visible: bool) -> None:

@@ -107,6 +107,9 @@ class Prospect(QWidget):
     def _contour_words(self, contour: "Contour", division: Division) -> str:
         if not contour.triangles_unavoidable:
             return self.tr("Unavoidable triangles: 0 ({edges} contour edges)").format(edges=contour.edge_count)
+        if contour.plate.id not in division.odd:
+            text = self.tr("Unavoidable triangles: {count}. So many parts of the plate have an odd number of edges.")
+            return text.format(count=contour.triangles_unavoidable)
         text = self.tr(
             "Unavoidable triangles: 1. Odd number of contour edges: {edges}; "
             "one node more or fewer on an edge makes it none."
