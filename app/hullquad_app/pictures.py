@@ -1,12 +1,9 @@
 """Pictures of a plate for a report: white, in plan view, with all that a reader needs to know inside."""
 
 import io
-import os
-import sys
 from pathlib import Path
 
 import attrs
-import numpy as np
 from PIL import Image, ImageDraw
 from PIL.PngImagePlugin import PngInfo
 
@@ -85,26 +82,20 @@ def png(image: Image.Image) -> bytes:
 
 def _plate(scene: Scene, scale: int, chosen: ColourMap) -> tuple[Image.Image, float]:
     """The plate alone on a transparent ground, and the length of a pixel at scale 1 [mm]."""
-    from pyvista import Plotter  # noqa: PLC0415  brings VTK
-
+    from hullquad_app.canvas.drawing import Drawing  # noqa: PLC0415  brings VTK
     from hullquad_app.canvas.stage import Stage  # noqa: PLC0415
 
     assert scene.mesh is not None  # it was judged
-    if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
-        os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")  # or VTK complains of the screen
     height = HEIGHT - HEADER - FOOTER
     right, up = plan(scene.mesh)
     camera = Camera().turned(right, up).fitted(scene.mesh.points, WIDTH - MARGIN, height, MARGIN / 2)
-    plotter = Plotter(off_screen=True, window_size=[WIDTH * scale, height * scale])
+    drawing = Drawing(samples=_SAMPLES, transparent=True)
     try:
-        plotter.enable_anti_aliasing("msaa", multi_samples=_SAMPLES)
-        stage = Stage(plotter.renderer, LIGHT)
+        stage = Stage(drawing.renderer, LIGHT)
         stage.set_colour_map(chosen)
         stage.show(attrs.evolve(scene, view=attrs.evolve(scene.view, selection=frozenset())))
-        camera.apply(plotter.renderer.GetActiveCamera(), height, stage.box)
-        plotter.renderer.camera_set = True
+        camera.apply(drawing.renderer.GetActiveCamera(), height, stage.box)
         stage.look(camera.towards, camera.pixel, scale)
-        shot = plotter.screenshot(return_img=True, transparent_background=True)
+        return Image.fromarray(drawing.pixels(WIDTH * scale, height * scale)), camera.pixel
     finally:
-        plotter.close()
-    return Image.fromarray(np.asarray(shot)), camera.pixel
+        drawing.finish()

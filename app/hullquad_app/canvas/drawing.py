@@ -12,16 +12,19 @@ from vtkmodules.vtkRenderingCore import vtkRenderer, vtkRenderWindow
 
 
 class Drawing:
-    """A renderer and the pixels that come of it."""
+    """A renderer and the pixels that come of it; on a transparent ground they have the opacity of what is drawn."""
 
-    def __init__(self) -> None:
+    def __init__(self, samples: int = 0, *, transparent: bool = False) -> None:
         if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
             os.environ.setdefault("VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow")  # or VTK complains of the screen
         self.renderer: Any = vtkRenderer()
         self._window: Any = vtkRenderWindow()
         self._window.SetOffScreenRendering(True)
         self._window.SetShowWindow(False)
-        self._window.SetMultiSamples(0)
+        self._window.SetMultiSamples(samples)
+        if transparent:
+            self._window.SetAlphaBitPlanes(1)
+            self.renderer.SetBackgroundAlpha(0.0)
         self._window.AddRenderer(self.renderer)
         self._bytes: Any = vtkUnsignedCharArray()
 
