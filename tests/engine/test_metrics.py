@@ -50,6 +50,7 @@ def test_closed_forms(nodes, key, value):
     assert_allclose(judged(key, nodes), value, rtol=1e-14)
 
 
+RELATIVE = {"relative_size", "shear_and_size", "shape_and_size"}
 FREE_OF_SIZE = [row for row in METRICS if row.unit != MILLIMETRES]
 DIFFERENT = [row for row in METRICS if row.key not in {
     "condition", "shear", "ansys_max_corner_angle", "nastran_taper", "optistruct_skew", "patran_aspect_ratio",
@@ -127,27 +128,35 @@ corners = st.tuples(*[st.tuples(inner, inner, st.floats(-0.1, 0.1))] * 4).map(
 ONE_QUAD = np.array([[0, 1, 2, 3]], dtype=np.int32)
 
 
-def value(row, points, order=(0, 1, 2, 3)) -> float:
-    return float(raw_values(row, points, np.array([order], dtype=np.int32))[0])
+def turned(points: np.ndarray, rng: np.random.Generator) -> np.ndarray:
+    """Each element turned anywhere."""
+    turns, _ = np.linalg.qr(rng.normal(size=(len(points), 3, 3)))
+    turns[np.linalg.det(turns) < 0, :, 0] *= -1
+    return np.einsum("nij,nkj->nki", turns, points)
+
+
+def raw(row, points: np.ndarray, order=(0, 1, 2, 3)) -> np.ndarray:
+    """Values of (Q, 4, 3) quads, their nodes in some order."""
+    numbers = np.arange(points.size // 3, dtype=np.int32).reshape(-1, 4)
+    return raw_values(row, points.reshape(-1, 3), numbers[:, order], areas=np.array([0.9, 1.0]))
 
 
 @pytest.mark.parametrize("row", METRICS, ids=KEYS)
-@settings(max_examples=30, deadline=None)
-@given(points=corners, angles=st.tuples(*[st.floats(-3, 3)] * 3), scale=st.floats(1e-3, 1e5))
-def test_place_size_numbering_and_mirroring_change_nothing(row, points, angles, scale):
-    before = value(row, points)
-    turn = np.eye(3)
-    for axis, angle in enumerate(angles):
-        c, s = np.cos(angle), np.sin(angle)
-        plane = [i for i in range(3) if i != axis]
-        step = np.eye(3)
-        step[np.ix_(plane, plane)] = [[c, -s], [s, c]]
-        turn = step @ turn
-    factor = scale if row.unit == MILLIMETRES else 1.0
-    moved = scale * (points @ turn.T) + scale * np.array(angles)
-    assert_allclose(value(row, moved), factor * before, rtol=1e-9, atol=1e-7)
-    assert_allclose(value(row, points, (1, 2, 3, 0)), before, rtol=1e-12, atol=1e-12)
-    assert_allclose(value(row, points * [-1, 1, 1], (3, 2, 1, 0)), before, rtol=1e-12, atol=1e-12)
+def test_place_size_numbering_and_mirroring_change_nothing(row):
+    rng = np.random.default_rng(3)
+    shifts = rng.uniform(-0.4, 0.4, (500, 4, 3)) * [1, 1, 0.25]
+    shifts[:50] *= rng.choice([0.0, 1.0], (50, 4, 1))  # some nodes of the square stay where they are
+    shifts[50:100, :, 2] = 0.0
+    points = np.array([(*node, 0.0) for node in SQUARE]) + shifts
+    before = raw(row, points)
+    scale = np.exp(rng.uniform(np.log(1e-3), np.log(1e5), (500, 1, 1)))
+    moved = scale * (turned(points, rng) + rng.uniform(-3, 3, (500, 1, 3)))
+    factor = scale[:, 0, 0] if row.unit == MILLIMETRES else 1.0
+    if row.key not in RELATIVE:
+        assert_allclose(raw(row, moved), factor * before, rtol=1e-9, atol=1e-7)
+    assert_allclose(raw(row, turned(points, rng)), before, rtol=1e-9, atol=1e-7)
+    assert_allclose(raw(row, points, (1, 2, 3, 0)), before, rtol=1e-12, atol=1e-12)
+    assert_allclose(raw(row, points * [-1, 1, 1], (3, 2, 1, 0)), before, rtol=1e-12, atol=1e-12)
 
 
 @settings(max_examples=30, deadline=None)
@@ -204,7 +213,7 @@ def test_broken_elements_are_the_worst_there_are_and_spoil_no_other(nodes):
 def test_no_size_is_too_small_or_too_large(size, row):
     points = np.array([(0, 0, 0), (3, 0, 0.1), (2.5, 2, 0), (0.2, 1.5, 0.2)])
     area = np.array([7.0, 1.0])
-    if row.key in {"relative_size", "shear_and_size", "shape_and_size"}:
+    if row.key in RELATIVE:
         size = np.clip(size, 1e-140, 1e140)  # the mean area is a float, too
     values, valid = judged_values(row, size * points, ONE_QUAD, UP, size**2 * area)
     assert valid.all()
