@@ -234,8 +234,8 @@ SENTENCES: dict[str, str] = {
     "W_CORNER": "the corner at ({u:.7g}, {v:.7g}) has only {angle:.3g} degrees; no mesh is good there: cut the tip off",
     "W_CORNER:failing": "the corner at ({u:.7g}, {v:.7g}) has only {angle:.3g} degrees: the scaled Jacobian of a quad "
     "there is at most {best:.2f}, which fails, however the plate is meshed; cut the tip off",
-    "W_SHORT_EDGE": "the edge is {length:.4g} mm long, less than a fifth of the element size ({least:.4g} mm), as are "
-    "{count} of this loop; the elements there will be small",
+    "W_SHORT_EDGE": "the edge is {length:.4g} mm long, less than a fifth of the element size ({size:g} mm), as are "
+    "{count} of this loop; the elements there will be small: choose {helping:.4g} mm or less, or move the vertex",
     "W_SMALL_HOLE": "the hole is {width:.4g} mm wide, less than the element size ({size:g} mm); the elements around it "
     "will be small: leave it out, or choose a smaller size",
     "W_ODD": "odd number of contour edges: {count} with segments of {size:g} mm; one triangle is unavoidable, one node "

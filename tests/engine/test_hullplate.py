@@ -478,6 +478,21 @@ def test_parameters_of_a_patch_are_not_scaled(described, tmp_path):
     assert plate.box.max() == 1
 
 
+def test_ligaments_of_just_the_least_width_are_accepted(described, tmp_path):
+    holes = described["plates"][0]["holes"]
+    holes[1] = [{"p": [1, 100]}, {"p": [200, 100]}, {"p": [200, 300]}]
+    holes[2] = [{"p": [201, 100]}, {"p": [300, 100]}, {"p": [300, 300]}, {"p": [201, 300]}]
+    described["plates"][0].pop("divisions")
+    assert len(read(described, tmp_path).plates[0].holes) == len(holes)
+
+
+def test_the_warning_of_a_short_edge_tells_the_size_and_one_that_helps(described, tmp_path):
+    described["plates"][0]["target_size"] = 600
+    (notice,) = [notice for notice in read(described, tmp_path).warnings if notice.code == "W_SHORT_EDGE"]
+    assert "the edge is 100 mm long, less than a fifth of the element size (600 mm)" in notice.text
+    assert "choose 500 mm or less" in notice.text
+
+
 WARNED = [
     ("W_THICKNESS", f"{P}/thickness", "/thickness", 151),
     ("W_LINE_HOLE", f"{P}/seams/0", "/seams/0", {"a": [1000, 0], "b": [1000, 1000]}),

@@ -49,7 +49,7 @@ def size_concerns(plate: Plate, size: float) -> Iterator[Notice]:
     if size > extent:
         yield Notice("W_SIZE", plate.place, "", {"size": size, "extent": extent})
     for loop in plate.loops:
-        yield from _short_edges(loop, _SHORT * size)
+        yield from _short_edges(loop, size)
     yield from _ligaments(plate, size)
     for hole, outline in zip(plate.holes, plate.outlines[1:], strict=True):
         width = float(np.ptp(outline, axis=0).max())
@@ -105,11 +105,12 @@ def _ligaments(plate: Plate, size: float) -> Iterator[Notice]:
         yield Notice("W_LIGAMENT", plate.holes[hole - 1].place, "hole" if other else "contour", numbers)
 
 
-def _short_edges(loop: Loop, least: float) -> Iterator[Notice]:
+def _short_edges(loop: Loop, size: float) -> Iterator[Notice]:
     """One warning per loop: the shortest edge, and how many there are."""
     lengths = np.array([curve.length for curve in loop.curves])
-    count = int((lengths < least).sum())
+    count = int((lengths < _SHORT * size).sum())
     if count:
         shortest = int(np.lexsort((loop.edges, lengths))[0])
-        numbers = {"length": float(lengths[shortest]), "least": least, "count": count}
+        length = float(lengths[shortest])
+        numbers = {"length": length, "size": size, "helping": length / _SHORT, "count": count}
         yield Notice("W_SHORT_EDGE", loop.edge_place(shortest), "", numbers)

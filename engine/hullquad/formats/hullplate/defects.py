@@ -65,7 +65,7 @@ def _hole_defects(plate: Plate) -> Iterator[PlateError]:
         if not is_inside[i] or width == 0:
             case = "crossing" if shapely.intersects(rim, openings[i]) else ""
             yield PlateError("E_HOLE_OUTSIDE", hole.place, case, u=u, v=v)
-        elif is_near[i]:
+        elif width < plate.least_length:
             numbers = {"u": u, "v": v, "width": width, "least": plate.least_length}
             yield PlateError("E_LIGAMENT", hole.place, "contour", **numbers)
         elif i in neighbours:
@@ -78,8 +78,10 @@ def _hole_defects(plate: Plate) -> Iterator[PlateError]:
 
 def _neighbours(openings: npt.NDArray[np.object_], distance: float) -> dict[int, int]:
     """For each hole that comes too near to one before it, the first such one."""
-    pairs = shapely.STRtree(openings).query(openings, predicate="dwithin", distance=distance).T
-    return {int(i): int(j) for i, j in sorted(map(tuple, pairs), reverse=True) if j < i}
+    one, other = shapely.STRtree(openings).query(openings, predicate="dwithin", distance=distance)
+    is_near = (other < one) & (shapely.distance(openings[one], openings[other]) < distance)
+    pairs = np.stack([one, other], axis=1)[is_near].tolist()
+    return dict(sorted(pairs, reverse=True))
 
 
 def _line_defects(plate: Plate) -> Iterator[PlateError]:
