@@ -15,8 +15,6 @@ _ONE, _AXES, _COORDINATES = np.uint64(1), np.uint64(3), np.uint64(12)  # no plac
 _ROW, _SIDES = np.uint64(LANES), np.uint64(12 * LANES)
 _SMALL, _LARGE = 2.0**-60, 2.0**60
 """Sizes between which no product of edges is too small or too large for a float."""
-_LINE = 8
-"""Numbers in a cache line."""
 _EXPONENT, _GREATEST = np.uint64(52), np.uint64(2046)
 """Place of the exponent in the bits of a float, and the greatest one."""
 
@@ -159,21 +157,3 @@ def face_all(program: Program, rows: Floats, normals: Floats) -> None:
         for axis in range(_AXES):
             for i in range(_ROW):
                 rows[row + axis * _ROW + i] = normals[0, axis]
-
-
-@compiled
-def rows_of(program: Program) -> Floats:
-    """Rows for a program to run on, its constants in place.
-
-    They begin where a cache line does: vectors across two lines take twice the time.
-    """
-    room = np.empty(program.length + _LINE)
-    first = -(room.ctypes.data // room.itemsize) % _LINE
-    rows = room[first : first + program.length]
-    for k in range(len(program.inputs)):
-        row = max(program.inputs[k], 0)
-        rows[row : min(row + 3 * LANES, program.length)] = 0.0  # lanes without an element work on these
-    for k in range(len(program.constants)):
-        row = program.constant_rows[k]
-        rows[row : row + LANES] = program.constants[k]
-    return rows
