@@ -239,6 +239,28 @@ def test_one_pass_gives_what_each_metric_gives_alone(reference_mesh):
         np.testing.assert_array_equal(valid, valid_alone)
 
 
+def test_an_element_has_the_same_values_wherever_it_stands_among_the_others(reference_mesh):
+    mesh = reference_mesh("hopper_seg")
+    elements = np.tile(mesh.topology.elements, (3, 1))
+    normals = np.tile(mesh.normals, (len(elements), 1))
+    values, valid = all_judged(mesh.points, elements, normals, mesh.areas)
+    order = np.random.default_rng(0).permutation(len(elements))
+    shuffled, valid_too = all_judged(mesh.points, elements[order], normals, mesh.areas)
+    np.testing.assert_array_equal(shuffled, values[order])
+    np.testing.assert_array_equal(valid_too, valid[order])
+    one_by_one = [all_judged(mesh.points, row[None], UP, mesh.areas) for row in mesh.topology.elements]
+    np.testing.assert_array_equal(np.concatenate([value for value, _ in one_by_one]), values[: len(one_by_one)])
+
+
+@pytest.mark.parametrize("key", ["stretch", "scaled_jacobian", "shape", "ansys_skewness"])
+def test_a_power_of_2_changes_no_digit(key):
+    """Sizes that are worked on as they are and those that are shrunk first have the same values."""
+    points = np.array([(*node, 0.0) for node in SQUARE]) + np.random.default_rng(2).uniform(-0.3, 0.3, (300, 4, 3))
+    expected = raw(metric(key), points)
+    for power in (-300, -61, -59, -1, 59, 61, 300):
+        np.testing.assert_array_equal(raw(metric(key), np.ldexp(points, power)), expected)
+
+
 @pytest.mark.parametrize("row", [row for row in METRICS if row.is_of_corners], ids=lambda row: row.key)
 def test_a_metric_of_corners_is_the_worst_of_its_corners(row, reference_mesh):
     mesh = reference_mesh("hopper_seg")
