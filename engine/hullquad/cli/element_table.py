@@ -46,7 +46,8 @@ class ElementTable:
     def _rows(self, block: slice, areas: npt.NDArray[np.float64]) -> bytes:
         mesh, topology = self.mesh, self.mesh.topology
         normals = mesh.normals if len(mesh.normals) == 1 else mesh.normals[block]
-        values, valid = all_judged(mesh.points, topology.elements[block], normals, areas)
+        columns, valid = all_judged(mesh.points, topology.elements[block], normals, areas)
+        values = np.ascontiguousarray(columns)  # an element's beside each other, as they are written
         is_triangle = topology.is_triangle[block]
         values[is_triangle[:, None] & _WITHOUT_TRIANGLES] = np.nan
         before = np.stack([_QUAD + is_triangle, _FALSE + valid], axis=1)
