@@ -1,15 +1,16 @@
 """Work that is done piece by piece, so that the window answers in between."""
 
 from collections.abc import Callable
+from time import perf_counter, thread_time
 
-from PySide6.QtCore import QElapsedTimer, QObject, Qt, QTimer
+from PySide6.QtCore import QObject, Qt, QTimer
 
 _LEAST, _MOST = 1, 5
 """Rest after a piece: as long as it took, within these bounds [ms]."""
-_LATE = 2
-"""How late the clock may be; later than that the window was busy with other things [ms]."""
+_OTHERS = 0.002
+"""Computing time of other things during a rest, from which on the rest is begun again [s]."""
 _PATIENCE = 3
-"""How often a piece waits for those at most."""
+"""How often it is at most."""
 
 
 class Turns(QObject):
@@ -23,7 +24,7 @@ class Turns(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._pieces: dict[Callable[[], None], None] = {}
-        self._since = QElapsedTimer()
+        self._rested_from = 0.0
         self._waited = 0
         self._clock = QTimer(self, singleShot=True, timerType=Qt.TimerType.PreciseTimer)
         self._clock.timeout.connect(self._tick)
@@ -40,14 +41,14 @@ class Turns(QObject):
         self._clock.stop()
 
     def _rest(self, milliseconds: int) -> None:
-        self._since.start()
+        self._rested_from = thread_time()
         self._clock.start(milliseconds)
 
     def _tick(self) -> None:
         if not self._pieces:
             return
-        is_late = self._since.hasExpired(self._clock.interval() + _LATE)
-        if is_late and self._waited < _PATIENCE:
+        was_busy = thread_time() - self._rested_from > _OTHERS
+        if was_busy and self._waited < _PATIENCE:
             self._waited += 1  # what the window was busy with may not be through yet
             self._rest(_LEAST)
         else:
@@ -56,6 +57,7 @@ class Turns(QObject):
 
     def _do(self, piece: Callable[[], None]) -> None:
         del self._pieces[piece]
-        self._since.start()
+        started = perf_counter()
         piece()
-        self._rest(min(max(self._since.elapsed(), _LEAST), _MOST))
+        took = round(1000 * (perf_counter() - started))
+        self._rest(min(max(took, _LEAST), _MOST))
