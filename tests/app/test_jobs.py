@@ -160,7 +160,7 @@ def test_the_stages_of_the_best_mesher_are_told(jobs, block, qtbot):
 
 
 def test_plates_that_cannot_be_meshed_do_not_stop_the_others(jobs, block, qtbot):
-    meshed = answer(qtbot, jobs.meshing.done, mesh(jobs, block, block.keys))
+    meshed = answer(qtbot, jobs.meshing.done, mesh(jobs, block, block.keys, mesher=PAPER))
     curved = [plate.id for plate in block.plates.plates if not plate.is_plane]
     assert list(meshed.refused) == curved
     assert isinstance(meshed.refused[curved[0]], MeshingError)

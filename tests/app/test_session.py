@@ -173,13 +173,19 @@ def test_meshing_a_plate_is_a_step_of_undo(session, open_, qtbot):
     assert session.document.scene.state is before
 
 
-def test_meshing_all_plates_is_one_step_and_refusals_are_told(session, open_, said, qtbot):
+@pytest.fixture
+def block(session, open_):
+    """A document of fourteen plates, to be meshed by the quick mesher."""
+    session.set_mesher(Mesher(name="paper"))
     open_(BLOCK)
+
+
+def test_meshing_all_plates_is_one_step_and_refusals_are_told(session, block, said, qtbot):
     session.choose_plate("H1")
     with qtbot.waitSignal(session.idle, timeout=10_000):
         session.mesh(all_plates=True)
     scene = session.document.scene
-    assert [label.split(":")[0] for label in labels(session)] == [f"Mesh {len(scene.state.tracks)} plates (best)"]
+    assert [label.split(":")[0] for label in labels(session)] == [f"Mesh {len(scene.state.tracks)} plates (paper)"]
     assert scene.view.key == "H1"
     assert set(session.workshop.refused) | set(scene.state.tracks) == set(scene.state.keys)
     assert [error.place for error in said] == list(session.workshop.refused)
@@ -362,8 +368,7 @@ def test_the_iterate_that_is_shown_is_saved(session, show, ended, qtbot, tmp_pat
     assert session.is_modified
 
 
-def test_plates_are_saved_beside_each_other(session, open_, ended, qtbot, tmp_path):
-    open_(BLOCK)
+def test_plates_are_saved_beside_each_other(session, block, ended, qtbot, tmp_path):
     with qtbot.waitSignal(session.idle, timeout=10_000):
         session.mesh(all_plates=True)
     session.choose_plate("H1")
@@ -377,8 +382,7 @@ def test_plates_are_saved_beside_each_other(session, open_, ended, qtbot, tmp_pa
     assert np.array_equal(read_mesh(tmp_path / "block-H1.vtu").points, shown.points)
 
 
-def test_a_plate_is_shown_where_it_was_left(session, open_, ended, qtbot):
-    open_(BLOCK)
+def test_a_plate_is_shown_where_it_was_left(session, block, ended, qtbot):
     with qtbot.waitSignal(session.idle, timeout=10_000):
         session.mesh(all_plates=True)
     session.choose_plate("H1")

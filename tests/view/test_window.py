@@ -13,7 +13,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QLabel, QMessageBox
 
 from hullquad.formats import read_mesh, write_mesh
-from hullquad.metrics import METRICS
+from hullquad.metrics import METRICS, metric
+from hullquad.optimization.paper import unmoved
 from hullquad.optimization.settings import PaperSettings
 from hullquad_app.canvas.picker import corners
 from hullquad_app.colours import Theme, element_colours
@@ -26,6 +27,7 @@ from hullquad_app.search import Search
 from hullquad_app.session import Session
 from hullquad_app.settings import Settings
 from hullquad_app.theme_menu import ThemeMenu
+from hullquad_app.track import Track
 from hullquad_app.window import MainWindow
 
 PROJECT = Path(__file__).parents[2]
@@ -38,15 +40,13 @@ def settings_in(folder):
 
 
 def started(folder):
-    """The true window on a screen that nobody sees."""
+    """The true window on a screen that nobody sees; it still loads what meshing needs."""
     window = MainWindow(Session(settings_in(folder)))
     window.resize(1440, 900)
     window.show()
     window.activateWindow()
     assert QTest.qWaitForWindowActive(window)
     window.start()
-    while window.session.workshop.jobs.preparing.is_running:
-        QTest.qWait(20)
     return window
 
 
@@ -76,6 +76,8 @@ def own_window(qapp, tmp_path):
 def kept_window(qapp, tmp_path_factory):
     """A window for all tests that do not close it."""
     window = started(tmp_path_factory.mktemp("settings"))
+    while window.session.workshop.jobs.preparing.is_running:
+        QTest.qWait(20)
     yield window
     closed(window)
 
@@ -135,10 +137,12 @@ def meshed(window, qtbot):
 
 
 @pytest.fixture
-def own_meshed(own_window, qtbot):
-    """The window that may be closed with the hopper partition meshed."""
+def own_meshed(own_window, coarse, qtbot):
+    """The window that may be closed with a mesh of the hopper partition."""
     open_sample(own_window, qtbot, "hopper_partition")
-    mesh(own_window, qtbot)
+    document = own_window.session.document
+    track = Track((unmoved(coarse, metric("stretch")),))
+    document.change("Mesh hopper_partition", document.scene.state.with_track("hopper_partition", track))
     return own_window
 
 
