@@ -1,4 +1,7 @@
-"""From the start of the process to the empty window, and to the first frame of a plate beside a bare script."""
+"""From the start of the process to the empty window, and to the first frame of a plate beside a bare script.
+
+Warm: the start before has left the bytecode of all modules, as Python does unless it is told not to.
+"""
 
 import os
 import subprocess
@@ -47,7 +50,7 @@ BARE_SCRIPT = """
 def started(code: str) -> None:
     """Run a script in a process of its own until it ends itself."""
     script = "import os, sys\n" + textwrap.dedent(code)
-    environment = {**os.environ, "QT_QPA_PLATFORM": "xcb"}
+    environment = {**os.environ, "QT_QPA_PLATFORM": "xcb", "PYTHONDONTWRITEBYTECODE": ""}
     subprocess.run([sys.executable, "-c", script, PLATE], check=True, env=environment, timeout=120)
 
 
