@@ -16,7 +16,8 @@ from hullquad import worker
 from hullquad.errors import HullquadError, MeshingError, PlateError
 from hullquad.mesh import Mesh
 from hullquad.metrics import Metric
-from hullquad.plate import Document
+from hullquad.plate import Document, Notice
+from hullquad.quads.remaining import Cause, cause_of, remaining_triangles
 from hullquad.quality import quality
 from hullquad_app.dividing import redivided
 from hullquad_app.division import Attempt, Size, division
@@ -56,6 +57,8 @@ class Meshed:
     mesher: Mesher
     tracks: Mapping[str, Track]
     refused: Mapping[str, HullquadError]
+    left: Sequence[Notice]
+    """Of triangles that could have been avoided."""
 
 
 def prepared(is_prepared: threading.Event) -> Work:
@@ -120,14 +123,18 @@ def meshed(
     contours = contours or attempts(state.plates, size, follow_lines=mesher.follows_lines)
     tracks: dict[str, Track] = {}
     refused: dict[str, HullquadError] = {}
+    left: list[Notice] = []
+    cause = Cause.PAPER if mesher.name == PAPER else cause_of(mesher.settings.prefer)
     for i, key in enumerate(keys):
         so_far = (i, len(keys)) if len(keys) > 1 else (0, 0)
         try:
-            mesh, making = yield from _made(_contour(contours, key), state.plates.input_hash, mesher, so_far)
+            contour = _contour(contours, key)
+            mesh, making = yield from _made(contour, state.plates.input_hash, mesher, so_far)
             tracks[key] = attrs.evolve(_track(mesh, metric), making=Making.of(making, metric))
+            left += filter(None, [remaining_triangles(mesh, contour.plate.place, cause)])
         except HullquadError as error:
             refused[key] = error
-    return Meshed(state.plates, mesher, tracks, refused)
+    return Meshed(state.plates, mesher, tracks, refused, left)
 
 
 def saved(files: Mapping[Path, Mesh], metric: Metric) -> Work:

@@ -134,7 +134,8 @@ class Workshop(QObject):
         self._document.open(state)
         self.opened.emit(state.path)
         if state.plates is not None and state.plates.warnings:
-            self._tell_warnings(state.plates.warnings)
+            heading = self.tr("The document can be used, but {count} things in it should be looked at.")
+            self._tell_warnings(state.plates.warnings, heading)
 
     def _show_divided(self, division: Division) -> None:
         if division.plates is self._document.scene.state.plates:
@@ -168,7 +169,10 @@ class Workshop(QObject):
         if meshed.tracks:
             after = attrs.evolve(state, tracks={**state.tracks, **meshed.tracks})
             self._document.change(self._label(meshed), after, self._key_to_show(meshed))
-        self._tell_refused(list(meshed.refused.values()))
+        if meshed.refused:
+            self._tell_refused(list(meshed.refused.values()))
+        elif meshed.left:
+            self._tell_warnings(meshed.left, self.tr("{count} meshes have more triangles than they need."))
 
     def _key_to_show(self, meshed: Meshed) -> str | None:
         """The plate that is shown already, if it is among those that were meshed."""
@@ -196,13 +200,13 @@ class Workshop(QObject):
             count = self.tr("{count} plates could not be meshed:").format(count=len(errors))
             self.message.emit("\n".join([count, *map(str, errors)]))
 
-    def _tell_warnings(self, notices: Sequence[Notice]) -> None:
+    def _tell_warnings(self, notices: Sequence[Notice], heading: str) -> None:
+        """Tell one warning as it is, and of several how many there are, before the details."""
         if len(notices) == 1:
             head = notices[0].text[:1].upper() + notices[0].text[1:] + "."
             self.message.emit(f"{head}\n{notices[0].code} at {notices[0].place}")
             return
-        head = self.tr("The document can be used, but {count} things in it should be looked at.")
-        self.message.emit("\n".join([head.format(count=len(notices)), *map(str, notices)]))
+        self.message.emit("\n".join([heading.format(count=len(notices)), *map(str, notices)]))
 
     def _tell_broken(self, problem: Exception) -> None:
         logging.error("a job broke down", exc_info=problem)

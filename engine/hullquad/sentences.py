@@ -245,6 +245,13 @@ SENTENCES: dict[str, str] = {
     "W_ODD:shared": "odd number of contour edges: {count} with segments of {size:g} mm; one triangle is unavoidable, "
     "one node more or fewer on an edge makes it none, best {number} segments instead of {before} at {where}, which "
     "other plates have too",
+    "W_TRIANGLES": "{excess} triangles more than the plate asks for are left: elements {which}; no change takes them "
+    "out with valid elements only, for too few nodes between them may be moved; choose a smaller size, or divide an "
+    "edge there otherwise",
+    "W_TRIANGLES:paper": "{excess} triangles more than the plate asks for are left: elements {which}; the paper's "
+    "mesher leaves those that find no partner, the best mesher leaves {unavoidable}",
+    "W_TRIANGLES:quality": "{excess} triangles more than the plate asks for are left: elements {which}; the "
+    "worst element is better so, and quality is preferred: prefer quads for the fewest triangles",
     "W_ODD_PART": "the part of the plate around ({u:.7g}, {v:.7g}) has an odd number of edges ({count}), and no line "
     "of its own that may be divided otherwise; one triangle is unavoidable there, one node more or fewer on one of "
     "its edges on the contour makes it none",

@@ -14,7 +14,8 @@ from hullquad_app.mesher import Mesher
 from hullquad_app.session import Session
 from hullquad_app.settings import Settings
 
-HOPPER = Path(__file__).parents[2] / "assets" / "plates" / "hopper_partition.json"
+PLATES = Path(__file__).parents[2] / "assets" / "plates"
+HOPPER = PLATES / "hopper_partition.json"
 
 
 @pytest.fixture
@@ -118,3 +119,16 @@ def test_the_finished_mesh_is_saved_while_a_stage_is_shown(session, meshed, qtbo
     with qtbot.waitSignal(session.opened):
         session.open(tmp_path / "out.vtu")
     assert session.document.scene.mesh.points.tobytes() == meshed.mesh.points.tobytes()
+
+
+@pytest.mark.parametrize("mesher", ["paper", "best"])
+def test_triangles_that_could_have_been_avoided_are_told(session, qtbot, mesher):
+    told = []
+    session.message.connect(lambda text: told.append(str(text)))
+    session.set_mesher(Mesher(name=mesher))
+    with qtbot.waitSignal(session.opened, timeout=10_000):
+        session.open(PLATES / "floor_manholes.json")
+    told.clear()
+    session.mesh("coarse")
+    qtbot.waitUntil(lambda: session.document.scene.mesh is not None, timeout=20_000)
+    assert [text.endswith("W_TRIANGLES at /plates/0") for text in told] == [True] * (mesher == "paper")

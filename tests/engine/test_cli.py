@@ -84,6 +84,24 @@ def test_people_are_told_the_unavoidable_triangles_first(tmp_path, capsys):
     assert printed.splitlines()[0] == "hopper_partition: 25 contour edges, unavoidable triangles: 1"
 
 
+@pytest.mark.parametrize(("mesher", "count"), [("paper", 1), ("best", 0)])
+def test_it_is_told_which_triangles_are_left_beside_the_unavoidable_ones(mesher, count, tmp_path, capsys):
+    arguments = (
+        "mesh",
+        PLATES / "floor_manholes.json",
+        "-o",
+        tmp_path / "o.vtu",
+        "--mesher",
+        mesher,
+        "--size",
+        "coarse",
+    )
+    code, _, complaints = run(capsys, *arguments, "--optimizer", "none")
+    assert code == 0
+    assert complaints.count("warning W_TRIANGLES at /plates/0: ") == count
+    assert complaints.count("the paper's mesher leaves those that find no partner") == count
+
+
 @pytest.mark.parametrize(("size", "target"), [("fine", 250), ("400", 400), ("coarse", 1000)])
 def test_the_size_is_a_name_or_a_length(size, target, tmp_path, capsys):
     out = tmp_path / "out.vtu"

@@ -20,6 +20,7 @@ from hullquad.optimization.settings import PaperSettings, SearchSettings
 from hullquad.optimizers import iterates
 from hullquad.placement import placed, unplaced
 from hullquad.plate import Document, Plate, Refusal
+from hullquad.quads.remaining import Cause, cause_of, remaining_triangles
 from hullquad.quads.settings import MeshSettings, Preference
 from hullquad.quality import quality
 from hullquad.rules import rule_set
@@ -109,6 +110,9 @@ def _mesh_plate(contour: Contour, input_hash: str, output: Path, options: Namesp
         say(f"{contour.plate.id}: {edges} contour edges, unavoidable triangles: {unavoidable}")
     with clock.running("mesh"):
         mesh = _meshed(contour, input_hash, options)
+    cause = Cause.PAPER if options.mesher == "paper" else cause_of(Preference(options.prefer))
+    if (left := remaining_triangles(mesh, contour.plate.place, cause)) is not None:
+        warn(left)
     with clock.running("optimize"):
         run = _improved(mesh, options)
     return _written(run, output, options, clock)
