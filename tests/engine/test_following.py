@@ -298,3 +298,18 @@ def test_a_part_between_other_plates_that_stays_odd_is_told_of():
     odd = [notice for notice in division_concerns(found) if notice.code == "W_ODD_PART"]
     assert len(odd) == found.triangles_unavoidable > found.edge_count % 2
     assert "odd number" in odd[0].text
+
+
+def test_a_line_faces_the_nodes_of_a_hole_that_it_passes_closely():
+    hole = [(900, 430), (1100, 430), (1100, 590), (900, 590)]
+    found = followed(((888, 0), (888, 1000)), holes=[hole], size=150.0)
+    on_line = sorted(v for u, v in found.nodes.tolist() if u == 888)
+    assert {430.0, 590.0} <= set(on_line)
+    assert not {430.0, 590.0} & {
+        v for u, v in followed(((800, 0), (800, 1000)), holes=[hole]).nodes.tolist() if u == 800
+    }
+
+
+def test_small_regions_with_three_sides_have_two_segments_on_each():
+    found = followed(((0, 0), (200, 300)), ((400, 0), (200, 300)), size=390.0, divisions=((10, 5, 10, 5),))
+    assert min((sorted(map(len, sides)) for sides in found.sides.three_sided.values()), key=sum) == [2, 2, 2]

@@ -21,7 +21,7 @@ _SWEEPS = 40
 _NEAR = 0.001
 """Smoothing ends when no node moves farther than this part of the element size."""
 
-Sides4 = tuple[Longs, Longs, Longs, Longs]
+Sides4 = tuple[Longs, ...]
 
 
 def grids(contour: Contour, task: Task) -> tuple[Floats, Ints]:

@@ -4,7 +4,7 @@ What is nearer than the tolerance to a node goes through it, so that pieces have
 lines that lie upon each other are one. Pieces outside of the plate, or along its contour, are none.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import pairwise
 
 import attrs
@@ -36,6 +36,25 @@ class Arrangement:
     def lengths(self) -> Floats:
         """(P,) lengths of the pieces [mm]."""
         return floats(np.hypot(*(self.vertices[self.pieces[:, 1]] - self.vertices[self.pieces[:, 0]]).T))
+
+    def with_stations(self, stations: Mapping[int, Sequence[float]]) -> tuple["Arrangement", Longs]:
+        """The same with pieces cut anew, at parts of their lengths that follow one another; what each piece was."""
+        vertices, sources = [*self.vertices], []
+        pieces: list[tuple[int, int]] = []
+        for piece, (start, end) in enumerate(self.pieces.tolist()):
+            way = self.vertices[end] - self.vertices[start]
+            row = [start]
+            for share in stations.get(piece, ()):
+                row.append(len(vertices))
+                vertices.append(self.vertices[start] + share * way)
+            pieces += pairwise([*row, end])
+            sources += [piece] * len(row)
+        rows = np.array(pieces, dtype=np.int64).reshape(-1, 2)
+        was = longs(sources)
+        cut = attrs.evolve(
+            self, vertices=np.array(vertices), pieces=rows, lines=self.lines[was], crosses=self.crosses[was]
+        )
+        return cut, was
 
     def only(self, kept: Bools) -> "Arrangement":
         """The same without some of the pieces."""

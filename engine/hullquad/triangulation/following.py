@@ -16,6 +16,7 @@ from hullquad.surface import Surface
 from hullquad.triangulation.arrangement import Arrangement, arrangement
 from hullquad.triangulation.divided import Contour, Followed
 from hullquad.triangulation.intervals import numbers
+from hullquad.triangulation.ligaments import facing
 from hullquad.triangulation.sides import sides
 
 NEAREST = 0.02
@@ -61,9 +62,12 @@ def followed(chosen: Plan, given: Mapping[int, int]) -> Contour:
 
     `given` are numbers of segments that cannot be chosen, by piece.
     """
-    contour, pieces = chosen.contour, chosen.pieces
+    contour = chosen.contour
+    stations = {piece: row for piece, row in facing(contour, chosen.pieces).items() if piece not in given}
+    pieces, was = chosen.pieces.with_stations(stations)
     surface, is_row = contour.plate.surface, pieces.lines < 0
-    fixed = {**given, **dict.fromkeys(np.flatnonzero(is_row).tolist(), 1)}
+    fixed = {piece: given[source] for piece, source in enumerate(was.tolist()) if source in given}
+    fixed |= dict.fromkeys(np.flatnonzero(is_row).tolist(), 1)
     around = sides(pieces.vertices, contour.segments, pieces.pieces)
     counts = numbers(pieces, around, contour.size, fixed)
     used = np.unique(np.concatenate([np.arange(len(contour.nodes)), pieces.pieces.ravel()]))

@@ -1,7 +1,8 @@
 """Numbers of segments of the pieces of lines: near the element size, with as few odd regions as can be.
 
 Opposite sides of regions with four sides get the same number where they may be chosen, so that these regions become
-grids: such pieces are a *row* that is changed together. Then rows are changed by one segment wherever that leaves fewer
+grids: such pieces are a *row* that is changed together. Sides of regions with three sides get two at least, for the
+three quads that meet inside such a region need them. Then rows are changed by one segment wherever that leaves fewer
 regions with an odd contour (`parity`), those first whose segments stay nearest to the element size.
 """
 
@@ -17,6 +18,8 @@ from hullquad.triangulation.sides import Sides
 
 _TAPER = 1.6
 """Longest over shortest piece of a row; and how many times longer or shorter than the size its segments may be."""
+_SHORTER = 2.5
+"""How many times shorter than the size segments of a side of three may be."""
 _GRID_LOST = 1.0
 """Weight of a change that makes a region no grid any more; a segment twice too long or too short weighs 0.7."""
 _LEAST = 1e-3
@@ -40,6 +43,7 @@ def numbers(found: Arrangement, around: Sides, size: float, given: Mapping[int, 
         work.unite(one, other)
     for one, other in work.opposite():
         work.match(one, other)
+    work.widen()
     work.even()
     return work.numbers
 
@@ -61,10 +65,13 @@ class _Rows:
             yield self._pieces(b), self._pieces(d)
 
     def unite(self, one: Longs, other: Longs) -> None:
-        """Make one row of two single pieces that are about as long as each other."""
-        if len(one) != 1 or len(other) != 1:
-            return
-        first, second = self._row_of(one[0]), self._row_of(other[0])
+        """Make rows of pieces that face each other and are about as long."""
+        if len(one) == len(other):
+            for first, second in zip(one.tolist(), other.tolist()[::-1], strict=True):
+                self._unite(first, second)
+
+    def _unite(self, one: int, other: int) -> None:
+        first, second = self._row_of(one), self._row_of(other)
         if min(first, second) < 0 or first == second:
             return
         members = np.flatnonzero((self._row == first) | (self._row == second))
@@ -84,6 +91,14 @@ class _Rows:
                 self.numbers[members] = number
                 self._settled[row] = True
 
+    def widen(self) -> None:
+        """Divide sides of regions with three of them in two, if that makes no segment too short."""
+        for parts in self._around.three_sided.values():
+            for pieces in map(self._pieces, parts):
+                row = self._row_of(pieces[0]) if len(pieces) == 1 else -1
+                if row >= 0 and self.numbers[row] == 1 and max(self._misfit(self._members(row), 2)) <= log(_SHORTER):
+                    self.numbers[self._members(row)] = 2
+
     def even(self) -> None:
         """Change rows, or single pieces of them, by one segment wherever that leaves fewer odd regions."""
         regions = int(self._around.regions.max()) + 1
@@ -92,7 +107,7 @@ class _Rows:
         singles = [longs([piece]) for members in rows if len(members) > 1 for piece in members.tolist()]
         choices = [choice for members in (*rows, *singles) if (choice := self._choice(members)) is not None]
         ways = [(one, other, weight) for (one, other), weight, _, _ in choices]
-        reluctance = dict.fromkeys(self._around.four_sided, _GRID_LOST)
+        reluctance = dict.fromkeys((*self._around.four_sided, *self._around.three_sided), _GRID_LOST)
         for way in sorted(parity.changes(regions, np.flatnonzero(counts % 2).tolist(), ways, reluctance)):
             _, _, members, step = choices[way]
             self.numbers[members] += step if (self.numbers[members] + step > 0).all() else -step
@@ -109,16 +124,22 @@ class _Rows:
         return (int(flipped[0]), int(flipped[1])), weight + _GRID_LOST * lost + _LEAST, members, step
 
     def _loses_grid(self, region: int, members: Longs, number: int) -> bool:
-        """Whether opposite sides of a region agree, but would not with another number of segments of a row."""
-        if region not in self._around.four_sided:
-            return False
-        a, b, c, d = map(self._pieces, self._around.four_sided[region])
-        kept = self.numbers.copy()
-        agreed = self._count(a) == self._count(c) and self._count(b) == self._count(d)
+        """Whether the sides of a region agree, but would not with another number of segments of some pieces."""
+        kept, agreed = self.numbers.copy(), self._agrees(region)
         self.numbers[members] = number
-        agrees = self._count(a) == self._count(c) and self._count(b) == self._count(d)
+        agrees = self._agrees(region)
         self.numbers = kept
         return agreed and not agrees
+
+    def _agrees(self, region: int) -> bool:
+        """Whether opposite ones of four sides have as many segments, or none of three as many as the others or more."""
+        if region in self._around.three_sided:
+            a, b, c = (self._count(self._pieces(part)) for part in self._around.three_sided[region])
+            return 2 * max(a, b, c) < a + b + c
+        if region in self._around.four_sided:
+            a, b, c, d = (self._count(self._pieces(part)) for part in self._around.four_sided[region])
+            return a == c and b == d
+        return False
 
     def _misfit(self, members: Longs, number: int) -> list[float]:
         return [abs(log(length / number / self._size)) for length in self._lengths[members].tolist()]

@@ -77,8 +77,18 @@ class Sides:
         return fitting_elements(self.angles)
 
     @cached_property
-    def four_sided(self) -> dict[int, tuple[Longs, Longs, Longs, Longs]]:
+    def four_sided(self) -> dict[int, tuple[Longs, ...]]:
         """Regions with four corners for one element each and two everywhere else: the sides from corner to corner."""
+        return {region: parts for region, parts in self._convex.items() if len(parts) == 4}
+
+    @cached_property
+    def three_sided(self) -> dict[int, tuple[Longs, ...]]:
+        """The same of regions with three such corners."""
+        return {region: parts for region, parts in self._convex.items() if len(parts) == 3}
+
+    @cached_property
+    def _convex(self) -> dict[int, tuple[Longs, ...]]:
+        """Regions with corners for one element each and two everywhere else: the sides from corner to corner."""
         cycles_of = np.bincount(self.regions[np.unique(self.cycles, return_index=True)[1]])
         firsts = np.unique(self.regions, return_index=True)[1]
         found = {}
@@ -86,9 +96,9 @@ class Sides:
             row = self.row(int(firsts[region]))
             fitting = self.fitting[row]
             corners = np.flatnonzero(fitting == 1)
-            if len(corners) == 4 and (np.delete(fitting, corners) == 2).all():
+            if len(corners) and (np.delete(fitting, corners) == 2).all():
                 _, *parts = np.split(np.concatenate([row, row[: corners[0]]]), corners)
-                found[region] = (parts[0], parts[1], parts[2], parts[3])
+                found[region] = tuple(map(longs, parts))
         return found
 
     def row(self, side: int) -> Longs:
