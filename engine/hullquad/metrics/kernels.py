@@ -1,4 +1,4 @@
-"""The loop over all elements, compiled: blocks of elements are laid out in rows, and a program is run on them."""
+"""The loops over all elements, compiled: blocks of elements are laid out in rows, and a program is run on them."""
 
 import numpy as np
 import numpy.typing as npt
@@ -12,7 +12,7 @@ Lanes = npt.NDArray[np.uint64]
 """Which elements are worked on side by side."""
 
 _ONE, _AXES, _COORDINATES = np.uint64(1), np.uint64(3), np.uint64(12)  # no place is below 0
-_ROW, _SIDES = np.uint64(LANES), np.uint64(12 * LANES)
+_ROW, _SIDE, _SIDES = np.uint64(LANES), np.uint64(3 * LANES), np.uint64(12 * LANES)
 _SMALL, _LARGE = 2.0**-60, 2.0**60
 """Sizes between which no product of edges is too small or too large for a float."""
 _EXPONENT, _GREATEST = np.uint64(52), np.uint64(2046)
@@ -62,6 +62,66 @@ def judge(
                     flat[to] = judged(value, rows[is_open + i], invalid[k, 0], invalid[k, 1])
         done += filled
     return int(done)
+
+
+@compiled
+def differences(
+    program: Program, rows: Floats, points: Floats, quads: Ints, normals: Floats, tangents: Floats, step: float,
+    gradient: Floats,
+) -> None:  # fmt: skip
+    """Central differences of the sum of values by the nodes' parameters, added to `gradient` (N, 2).
+
+    Every corner of every quad is moved by `step` either way along its two tangents (N, 2, 3): eight pairs of
+    evaluations of the whole mesh, whatever the number of nodes.
+    """
+    lanes, ahead, kept = np.empty(LANES, dtype=np.uint64), np.empty(LANES), np.empty((2, 3, LANES))
+    value = np.uint64(program.outputs[0])
+    if len(normals) == 1:
+        face_all(program, rows, normals)
+    for start in range(np.uint64(0), np.uint64(len(quads)), _ROW):
+        filled = min(_ROW, np.uint64(len(quads)) - start)
+        for i in range(filled):
+            lanes[i] = start + i
+        lay_out(rows, points, quads, _AXES, lanes, filled)
+        if len(normals) > 1:
+            face(program, rows, normals, lanes, filled)
+        for corner in range(np.uint64(4)):
+            keep(rows, corner, kept)
+            for direction in range(np.uint64(2)):
+                for way in (step, -step, 0.0):
+                    move(rows, corner, kept, quads, tangents, direction, way, lanes, filled)
+                    if way != 0.0:
+                        run(program.steps, rows)
+                    for i in range(filled):
+                        if way > 0.0:
+                            ahead[i] = rows[value + i]
+                        elif way < 0.0:
+                            gradient[quads[lanes[i], corner], direction] += (ahead[i] - rows[value + i]) / (2.0 * step)
+
+
+@woven
+def keep(rows: Floats, corner: int | np.uint64, kept: Floats) -> None:
+    """Keep the sides that begin and end at a corner of the quads, as (2, 3, LANES)."""
+    for side in range(np.uint64(2)):
+        first = _SIDE * ((corner + _AXES * side) % np.uint64(4))
+        for axis in range(_AXES):
+            for i in range(_ROW):
+                kept[side, axis, i] = rows[first + axis * _ROW + i]
+
+
+@woven
+def move(
+    rows: Floats, corner: int | np.uint64, kept: Floats, quads: Ints, tangents: Floats, direction: int | np.uint64,
+    way: float, lanes: Lanes, filled: np.uint64,
+) -> None:  # fmt: skip
+    """Lay out these sides as they are with the corner moved so far along one of its tangents."""
+    begins, ends = _SIDE * corner, _SIDE * ((corner + _AXES) % np.uint64(4))
+    for i in range(filled):
+        node, length = quads[lanes[i], corner], way * rows[_SIDES + i]
+        for axis in range(_AXES):
+            shift, place = length * tangents[node, direction, axis], axis * _ROW + i
+            rows[begins + place] = kept[np.uint64(0), axis, i] - shift
+            rows[ends + place] = kept[np.uint64(1), axis, i] + shift
 
 
 @inlined

@@ -1,6 +1,6 @@
 """Values of metrics on the elements of a mesh, and their slopes: the kernels behind plain functions on arrays.
 
-The kernel is compiled once, for read-only arrays; what can be written to is copied first. In all of them:
+A kernel is compiled once, for read-only arrays; what can be written to is copied first. In all of them:
 
 points : (N, 3) float array
     [mm]
@@ -142,9 +142,6 @@ def difference_gradient(
 ) -> Floats:
     """(N, 2) central differences of the sum of raw values by the nodes' parameters; angles in radians.
 
-    Every corner of every quad is moved either way along its two tangents: eight pairs of evaluations of the whole
-    mesh, whatever the number of nodes.
-
     Parameters
     ----------
     tangents : (N, 2, 3) float array
@@ -152,22 +149,9 @@ def difference_gradient(
     step : float
         By which a parameter is changed either way [mm].
     """
-    program, gradient = raw_program(metric), np.zeros((len(points), 2))
-    alone, areas = ints(np.arange(quads.size).reshape(-1, 4)), _areas(areas, [program], points, quads)
-    corners = points[quads]
-    seen = corners.reshape(-1, 3)
-    seen.flags.writeable = False
-    for corner, nodes in enumerate(quads.T):
-        here = corners[:, corner].copy()
-        for direction in range(2):
-            shift = step * tangents[nodes, direction]
-            there = []
-            for moved in (here + shift, here - shift):
-                corners[:, corner] = moved
-                there.append(_unjudged(program, 0, 1.0, seen, alone, normals, areas)[0])
-            slopes = (there[0] - there[1]) / (2.0 * step)
-            gradient[:, direction] += np.bincount(nodes, slopes, len(points))
-        corners[:, corner] = here
+    points, quads, program = floats(points), ints(quads), raw_program(metric)
+    gradient, rows = np.zeros((len(points), 2)), rows_for(program, float(_areas(areas, [program], points, quads)[0]))
+    kernels.differences(program, rows, points, quads, floats(normals), floats(tangents), step, gradient)
     return gradient
 
 
