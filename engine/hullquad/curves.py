@@ -1,12 +1,14 @@
 """Edges of a contour in the plate's plane: straight, circular or elliptic, measured by their length."""
 
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import attrs
 import numpy as np
 
 from hullquad.arrays import Floats, floats
 
+_ROUND_EDGES_KEPT = 1024
+"""Fine polylines that are kept, each of about 40 points: documents are divided again and again."""
 _MOST_CHORDS = 4000
 """Of a polyline; half a circle of 500 m is within 0.02 mm of so many, and nothing larger is a plate."""
 
@@ -159,21 +161,36 @@ class EllipseArc:
 
     def _lengths(self, angles: Floats) -> Floats:
         """(N,) lengths from the start to eccentric angles: an elliptic integral of the second kind."""
+        return np.asarray(np.abs(self.b * (self._integral(angles) - self._integral_at_start)))
+
+    @cached_property
+    def _integral_at_start(self) -> Floats:
+        return self._integral(np.array(self.first))
+
+    def _integral(self, angles: Floats) -> Floats:
         from scipy.special import ellipeinc  # noqa: PLC0415  slow to import, and ellipses are rare
 
-        modulus = 1 - (self.a / self.b) ** 2
-        return np.asarray(np.abs(self.b * (ellipeinc(angles, modulus) - ellipeinc(self.first, modulus))))
+        return np.asarray(ellipeinc(angles, 1 - (self.a / self.b) ** 2))
 
     def _angles(self, lengths: Floats) -> Floats:
         """(N,) eccentric angles at lengths from the start, by Newton's method from a table."""
-        table = self.first + self.sweep * np.linspace(0, 1, 65)
-        angles: Floats = np.interp(lengths, self._lengths(table), table)
+        table, lengths_of_table = self._table
+        angles: Floats = np.interp(lengths, lengths_of_table, table)
         low, high = sorted((table[0], table[-1]))
         for _ in range(8):
+            before = angles
             speeds = np.hypot(self.a * np.sin(angles), self.b * np.cos(angles))
             steps = (lengths - self._lengths(angles)) / speeds
             angles = np.clip(angles + np.copysign(1, self.sweep) * steps, low, high)
+            if np.array_equal(angles, before):
+                break
         return angles
+
+    @cached_property
+    def _table(self) -> tuple[Floats, Floats]:
+        """(65,) eccentric angles from start to end, and the lengths from the start to them."""
+        angles = floats(self.first + self.sweep * np.linspace(0, 1, 65))
+        return angles, floats(self._lengths(angles))
 
 
 Curve = Straight | Arc | EllipseArc
@@ -206,14 +223,23 @@ def nearest(curve: Curve, point: Floats) -> float:
     """Length from the start at which the curve is nearest to a point beside it."""
     if isinstance(curve, Straight):
         return float(np.clip((point - curve.start) @ (curve.end - curve.start) / curve.length, 0, curve.length))
-    stations = curve.stations(curve.length / 1000)
-    guess = np.argmin(np.hypot(*(curve.points(stations) - point).T))
+    stations, row = _finely_divided(curve)
+    guess = np.argmin(np.hypot(*(row - point).T))
     at = stations[guess : guess + 1]
     for _ in range(12):
-        heading = curve.headings(at)[0]
+        before, heading = at, curve.headings(at)[0]
         step = (point - curve.points(at)[0]) @ np.array([np.cos(heading), np.sin(heading)])
         at = np.clip(at + step, 0, curve.length)
+        if at == before:
+            break
     return float(at[0])
+
+
+@lru_cache(maxsize=_ROUND_EDGES_KEPT)
+def _finely_divided(curve: Arc | EllipseArc) -> tuple[Floats, Floats]:
+    """(N,) lengths from the start, and the points there (N, 2), of a polyline within a thousandth of a round edge."""
+    stations = floats(curve.stations(curve.length / 1000))
+    return stations, floats(curve.points(stations))
 
 
 def _heading(vector: Floats) -> float:
