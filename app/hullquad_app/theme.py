@@ -95,6 +95,9 @@ def _style_sheet(palette: Palette) -> str:
         QDockWidget {{ font-weight: 600; }}
         QDockWidget::title {{ background: {palette.background}; padding: 4px 10px; text-align: left;
                               border-bottom: 1px solid {palette.rule}; }}
+        QTabBar::tab {{ padding: 4px 10px; color: {palette.dim}; border: 0; border-top: 2px solid transparent; }}
+        QTabBar::tab:hover {{ color: {palette.text}; }}
+        QTabBar::tab:selected {{ color: {palette.text}; background: {palette.panel}; border-color: {palette.accent}; }}
         QStatusBar {{ background: {palette.background}; border-top: 1px solid {palette.rule};
                       color: {palette.dim}; }}
         QStatusBar::item {{ border: 0; }}

@@ -88,7 +88,7 @@ class OutcomePanel(QWidget):
         texts = [number_of("iteration", found.iterations)]
         if found.seconds is not None:
             texts.append(f"{found.seconds:.2f} s")
-        texts.append(self.tr("moved by up to {length} mm").format(length=f"{found.displacement:.3g}"))
+        texts.append(self.tr("moved by up to {length}").format(length=f"{found.displacement:.3g}\N{NO-BREAK SPACE}mm"))
         return self._run_words(found) + " · ".join(texts)
 
     def _run_words(self, found: Balance) -> str:
