@@ -54,7 +54,7 @@ def slopes_by_nodes(value: Number, element: Element) -> list[Arrow]:
 
 
 def _program(element: Element, outputs: Sequence[Node]) -> Program:
-    """A program that begins with the sides, as `kernels.lay_out` puts them; of vectors it has three outputs each."""
+    """A program that begins with the sides, as `layout.lay_out` puts them; of vectors it has three outputs each."""
     sides = [*element.sides, _NO_SIDE][:4]
     made = program(outputs, [element.facing, element.reference], [*sides, element.shrinking])
     rows = [
