@@ -28,7 +28,13 @@ def facing_up(elements: np.ndarray, quads: int) -> Elements:
 
 def of(points: np.ndarray, elements: Elements, energy: Energy) -> tuple[float, np.ndarray, np.ndarray]:
     """Energy, gradient and openness."""
-    held = Ways(np.empty((0, 2, 3)), NO_FACETS, footing(NO_FACETS, np.arange(len(points)), 0))
+    held = Ways(
+        np.empty((0, 2, 3)),
+        ints([]),
+        floats(np.empty((0, 2, 3))),
+        NO_FACETS,
+        footing(NO_FACETS, np.arange(len(points)), 0),
+    )
     run = descent(points, 0, len(elements.nodes))
     return look(run, held, elements, energy), run.node_gradient, run.openness
 

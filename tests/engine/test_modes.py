@@ -74,6 +74,18 @@ def test_the_way_is_the_same_however_often_somebody_looks(reference_mesh):
     np.testing.assert_array_equal(watched.points, quick.points)
 
 
+@pytest.mark.parametrize("stride", [1, 4, 1000])
+def test_the_end_of_a_stage_is_looked_at(reference_mesh, stride):
+    """Also of one that ends because no further step leads anywhere, right after somebody has looked."""
+    mesh = reference_mesh("hopper_coarse20")
+    course, energy = (
+        Course(problem(mesh), 1000, 60.0, stride),
+        merit(objective("max_angle"), mesh.target_size, mesh.areas, None, None),
+    )
+    looks = [course.is_at_check for _ in course.stage(energy, 1000, 0.0)]
+    assert looks[-1]
+
+
 def test_a_run_that_gains_nothing_says_so_and_gives_its_input_back(reference_mesh):
     mesh = outcome(untangle_iterates(reference_mesh("web_L"), SHAPE)).best.mesh
     while True:

@@ -77,7 +77,7 @@ class Course:
 
         Ends after `most` iterations, when one gains less than `gain`, or when the course is complete.
         """
-        left, made = most, 0
+        left, made, unchecked = most, 0, 0
         descent.begin(self._run)
         status = descent.GOING_ON
         while left > 0 and status == descent.GOING_ON and not self.is_complete:
@@ -86,14 +86,19 @@ class Course:
             done = int(self._run.counts[1]) - made
             made, left, self.number = made + done, left - done, self.number + done
             is_over = left == 0 or status != descent.GOING_ON or self.is_complete
-            self.is_at_check = is_over or (most - left) % _CHECK == 0
-            if done:
+            self.is_at_check, unchecked = is_over or (most - left) % _CHECK == 0, unchecked + done
+            if done or (is_over and unchecked):
                 yield self.number
+            if self.is_at_check:
+                unchecked = 0
 
 
 def _ways(given: Problem) -> tuple[descent.Ways, Elements]:
     """What nodes may move along, and the elements with what they must face."""
     tangents, facing = given.directions()
+    slides, ends = given.slides()
     standing = footing(given.surface, given.nodes, given.movable)
     weights = floats(np.ones(len(given.elements)))
-    return descent.Ways(tangents, given.surface, standing), Elements(given.elements, given.quads, facing, weights)
+    return descent.Ways(tangents, slides, ends, given.surface, standing), Elements(
+        given.elements, given.quads, facing, weights
+    )

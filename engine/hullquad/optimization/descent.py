@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from hullquad.arrays import Floats, Longs
+from hullquad.arrays import Floats, Ints, Longs
 from hullquad.metrics.compiled import compiled, inlined, woven
 from hullquad.optimization.energy import Elements, Energy, rows_for, total_at
 from hullquad.optimization.facets import Facets
@@ -35,6 +35,10 @@ class Ways(NamedTuple):
 
     tangents: Floats
     """(M, 2, 3) unit vectors, or zero; turned with the surface."""
+    slides: Ints
+    """(S,) nodes that move along a line, which is their first tangent."""
+    ends: Floats
+    """(S, 2, 3) between which they stay."""
     surface: Facets
     footing: Footing
 
@@ -204,7 +208,9 @@ def _try(
 ) -> tuple[float, bool, float]:
     """Energy a step away, whether all nodes made the whole step, and the slope times the step that was made."""
     _move(run.points, ways.tangents, run.direction, length, run.trial)
+    is_free = _keep_between(ways.slides, ways.ends, ways.tangents, run.trial)
     value, is_whole = _settle(run, ways, elements, energy, rows)
+    is_whole &= is_free
     _reduce(run.node_gradient, ways.tangents, run.trial_gradient)
     return (
         value,
@@ -302,6 +308,24 @@ def _move(points: Floats, tangents: Floats, direction: Floats, length: float, mo
         first, second = length * direction[2 * node], length * direction[2 * node + 1]
         for axis in range(3):
             moved[node, axis] = points[node, axis] + first * tangents[node, 0, axis] + second * tangents[node, 1, axis]
+
+
+@inlined
+def _keep_between(slides: Ints, ends: Floats, tangents: Floats, moved: Floats) -> bool:
+    """Put nodes that have slid beyond an end of their line there; whether there were none."""
+    is_free = True
+    for k in range(len(slides)):
+        node = slides[k]
+        back, ahead = 0.0, 0.0
+        for axis in range(3):
+            back += (ends[k, 0, axis] - moved[node, axis]) * tangents[node, 0, axis]
+            ahead += (ends[k, 1, axis] - moved[node, axis]) * tangents[node, 0, axis]
+        beyond = max(back, 0.0) + min(ahead, 0.0)
+        if beyond != 0.0:
+            is_free = False
+            for axis in range(3):
+                moved[node, axis] += beyond * tangents[node, 0, axis]
+    return is_free
 
 
 @inlined

@@ -47,6 +47,8 @@ def looks(
         value = rank() if course.is_at_check else best
         if value > best:
             best, is_better, kept = value, True, _Look(course.number, stage, course.points.copy(), is_best=True)
+            if kept.number == newest.number:  # what was thought to be on the way is the end of a stage
+                newest, kept = attrs.evolve(newest, is_best=True), None
         if course.number - newest.number >= course.stride:
             for look in _since(kept, course, stage):
                 yield newest

@@ -7,7 +7,7 @@ from hullquad.arrays import Bools, Floats, Ints, Longs, bools, floats, ints, lon
 from hullquad.mesh import Mesh
 from hullquad.optimization.facets import NO_FACETS, Facets, facets
 from hullquad.optimization.order import FEW, along_a_curve
-from hullquad.optimization.sliding import line_directions, on_lines
+from hullquad.optimization.sliding import ends_of, line_directions, on_lines
 from hullquad.topology import half_edges, paired_sides
 
 _UP = (0.0, 0.0, 1.0)
@@ -58,6 +58,18 @@ class Problem:
         parameters[moved] = points[: self.movable, :2]
         return self.mesh.with_parameters(on_lines(self.mesh, parameters))
 
+    @property
+    def _slides(self) -> Longs:
+        """(S,) which of the movable nodes slide along lines."""
+        return np.flatnonzero(self.mesh.topology.slides[self.nodes[: self.movable]])
+
+    def slides(self) -> tuple[Ints, Floats]:
+        """(S,) movable nodes that slide along lines, and (S, 2, 3) ends between which they stay."""
+        slides, ends = self._slides, np.zeros((0, 2, 3))
+        if len(slides):
+            ends = np.concatenate([ends_of(self.mesh, self.nodes[slides]), np.zeros((len(slides), 2, 1))], axis=2)
+        return ints(slides), floats(ends)
+
     def directions(self) -> tuple[Floats, Floats]:
         """Unit vectors (movable, 2, 3) that nodes may move along at first, and (1 or E, 3) element normals.
 
@@ -66,7 +78,7 @@ class Problem:
         if len(self.surface.triangles) == 0:
             ways = np.zeros((self.movable, 2, 3))
             ways[:, 0, 0] = ways[:, 1, 1] = 1.0
-            slides = np.flatnonzero(self.mesh.topology.slides[self.nodes[: self.movable]])
+            slides = self._slides
             if len(slides):
                 lines = self.mesh.topology.node_lines[self.nodes[slides]]
                 ways[slides, 0, :2], ways[slides, 1] = line_directions(self.mesh)[lines], 0.0

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from hullquad.arrays import Floats
+from hullquad.arrays import Floats, Longs
 from hullquad.mesh import Mesh
 
 
@@ -22,12 +22,24 @@ def on_lines(mesh: Mesh, parameters: Floats) -> Floats:
     if mesh.parameters is None or not known.slides.any():
         return parameters
     rows = np.flatnonzero(known.slides)
-    lines, places = known.node_lines[rows], mesh.parameters[rows]
-    (starts, ends), ways = (part[lines] for part in _ends(mesh)), line_directions(mesh)[lines]
-    back, ahead, moved = (_along(to - places, ways) for to in (starts, ends, parameters[rows]))
+    places, ways = mesh.parameters[rows], line_directions(mesh)[known.node_lines[rows]]
+    back, ahead = ends_of(mesh, rows).swapaxes(0, 1)
+    moved = np.clip(*(_along(to - places, ways) for to in (parameters[rows], back, ahead)))
     slid = np.array(parameters)
-    slid[rows] = places + np.clip(moved, np.minimum(back, 0.0), np.maximum(ahead, 0.0))[:, None] * ways
+    slid[rows] = places + moved[:, None] * ways
     return slid
+
+
+def ends_of(mesh: Mesh, rows: Longs) -> Floats:
+    """(S, 2, 2) parameters of the ends between which sliding nodes stay: their line's, beside it as they are.
+
+    A node that is beyond an end, by a rounding error, is its own end.
+    """
+    assert mesh.parameters is not None  # nodes slide on planes only
+    lines, places = mesh.topology.node_lines[rows], mesh.parameters[rows]
+    (starts, ends), ways = (part[lines] for part in _ends(mesh)), line_directions(mesh)[lines]
+    reach = np.minimum(_along(starts - places, ways), 0.0), np.maximum(_along(ends - places, ways), 0.0)
+    return np.stack([places + part[:, None] * ways for part in reach], axis=1)
 
 
 def along_lines(mesh: Mesh, vectors: Floats) -> Floats:
