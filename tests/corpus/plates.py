@@ -1,7 +1,8 @@
 """Two thousand random plates: stars, combs, plates with holes and slots, graded edges; each from its own number.
 
 Ligaments are at least a tenth of the element size and corners at least 20 degrees. Everything is in elements of
-length one, then brought to millimetres, turned and moved.
+length one, then brought to millimetres, turned and moved. As many have lines that elements follow: across the plate,
+from the contour inwards, or inside, crossing each other; what is true of ligaments and corners is true with lines, too.
 """
 
 import numpy as np
@@ -9,12 +10,15 @@ import shapely
 
 from hullquad.plate import Plate
 from hullquad.triangulation.contour import Contour
+from hullquad.triangulation.following import with_lines
 
 LIGAMENT = 0.1
 SHARPEST = np.radians(20)
 SIZE = 100.0
 COUNT = 2000
 """The whole corpus."""
+_TRIES = 40
+"""Lines that are tried for a plate."""
 
 
 def plate_contour(number: int, template: Plate) -> Contour:
@@ -25,6 +29,42 @@ def plate_contour(number: int, template: Plate) -> Contour:
         divided = [_divided(ring, rng) for ring in rings]
         if _is_sound(divided):
             return _placed(divided, template, rng)
+
+
+def lined_contour(number: int, template: Plate) -> Contour:
+    """The same plate with lines that elements follow."""
+    contour = plate_contour(number, template)
+    rng = np.random.default_rng([number, 1])
+    lines, found = [], contour
+    for _ in range(_TRIES):
+        tried = [*lines, _line(contour, rng)]
+        wished = with_lines(contour, np.array(tried))
+        if _is_clear(wished):
+            lines, found = tried, wished
+        if len(lines) == 1 + number // len(_KINDS) % 6:
+            break
+    return found
+
+
+def _line(contour, rng):
+    """Ends of a line inside: nodes of the contour, or points anywhere."""
+    rim, (low, high) = contour.nodes, (contour.nodes.min(axis=0), contour.nodes.max(axis=0))
+    while True:
+        ends = [rim[rng.integers(len(rim))] if rng.random() < 0.7 else rng.uniform(low, high) for _ in range(2)]
+        line = shapely.LineString(ends)
+        if line.length > SIZE and contour.region.buffer(1e-6).covers(line):
+            return np.array(ends)
+
+
+def _is_clear(contour):
+    """Whether lines are followed as a whole, and neither nodes nor corners force worse elements than the contour."""
+    around = contour.sides
+    if contour.followed.count < len(contour.lines) or around.angles.min() < SHARPEST:
+        return False
+    ends = around.ends[: around.contour + around.lines]
+    away = shapely.distance(shapely.points(contour.nodes)[:, None], shapely.linestrings(contour.nodes[ends])[None])
+    away[ends.T, np.arange(len(ends))] = np.inf
+    return bool(contour.followed.count) and away.min() >= LIGAMENT * SIZE
 
 
 def _star(rng):

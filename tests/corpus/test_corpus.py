@@ -1,6 +1,7 @@
 """What must hold of every mesh of the best mesher, on random plates; a hundred of them, or as many as asked for.
 
-``pytest tests/corpus --plates 2000`` goes through all of them.
+``pytest tests/corpus --plates 2000`` goes through all of them. Every tenth one is meshed again with lines that elements
+follow.
 """
 
 import importlib.util
@@ -11,7 +12,8 @@ import pytest
 
 from hullquad import pipeline
 from hullquad.formats import read_plates
-from hullquad.metrics.values import valid_elements
+from hullquad.metrics import metric
+from hullquad.metrics.values import judged_values, valid_elements
 from hullquad.topology import edges
 
 _spec = importlib.util.spec_from_file_location("corpus_plates", Path(__file__).with_name("plates.py"))
@@ -19,15 +21,17 @@ corpus = importlib.util.module_from_spec(_spec)
 _spec.loader.exec_module(corpus)
 
 TEMPLATE = next(iter(read_plates(Path(__file__).parents[2] / "assets/plates/hopper_partition.json").plates))
+SCALED_JACOBIAN = metric("scaled_jacobian")
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="module", params=["plain", "lined"])
 def meshes(request):
     """Contours and their meshes."""
     pipeline.prepare()
-    asked = request.config.getoption("--plates")
-    numbers = np.linspace(0, corpus.COUNT - 1, asked).astype(int)
-    found = {int(number): corpus.plate_contour(int(number), TEMPLATE) for number in numbers}
+    asked, is_lined = request.config.getoption("--plates"), request.param == "lined"
+    numbers = np.linspace(0, corpus.COUNT - 1, asked).astype(int)[5 if is_lined else 0 :: 10 if is_lined else 1]
+    contour = corpus.lined_contour if is_lined else corpus.plate_contour
+    found = {int(number): contour(int(number), TEMPLATE) for number in numbers}
     return {number: (contour, pipeline.best_mesh(contour, "corpus")) for number, contour in found.items()}
 
 
@@ -63,7 +67,33 @@ def test_every_area_is_that_of_the_contour(meshes):
     assert not failing(meshes, lambda c, m: np.isclose(area(m), c.area, rtol=1e-9, atol=0))
 
 
-def test_even_contours_have_no_triangle_and_odd_ones_one(meshes):
-    excess = {n: len(m.topology.triangles) - c.triangles_unavoidable for n, (c, m) in meshes.items()}
+def test_every_line_is_a_row_of_edges(meshes):
+    def follows(contour, mesh):
+        found = {tuple(edge) for edge in edges(mesh.topology.elements)[0].tolist()}
+        return {tuple(sorted(edge)) for edge in contour.line_edges.tolist()} <= found
+
+    assert not failing(meshes, follows)
+
+
+@pytest.mark.parametrize("unavoidable", ["none", "some"])
+def test_triangles_are_as_few_as_the_contour_allows(meshes, unavoidable, record_property):
+    chosen = {n: (c, m) for n, (c, m) in meshes.items() if (c.triangles_unavoidable > 0) == (unavoidable == "some")}
+    if not chosen:
+        pytest.skip("there is none among so few plates")
+    excess = {n: len(m.topology.triangles) - c.triangles_unavoidable for n, (c, m) in chosen.items()}
+    record_property("corpus", figures(chosen, excess, unavoidable))
     assert max(excess.values()) <= 2, excess
     assert sum(count == 0 for count in excess.values()) >= 0.99 * len(excess), {n: e for n, e in excess.items() if e}
+
+
+def figures(chosen, excess, unavoidable):
+    """What is told at the end of a run."""
+    least = [judged_values(SCALED_JACOBIAN, m.points, m.topology.quads, m.normals)[0] for _, m in chosen.values()]
+    elements = sum(len(mesh.topology.elements) for _, mesh in chosen.values())
+    more = {number: count for number, count in excess.items() if count}
+    worst, mean = min(values.min(initial=1) for values in least), np.concatenate(least).mean()
+    return (
+        f"{len(chosen)} plates, {unavoidable} of their triangles unavoidable: {elements} elements, "
+        f"{len(chosen) - len(more)} plates at the minimum, others (plate: triangles more) {more or 'none'}; "
+        f"scaled Jacobian: least {worst:.3f}, mean {mean:.4f}"
+    )
