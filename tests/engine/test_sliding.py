@@ -139,3 +139,24 @@ def test_a_node_that_has_lost_its_line_stays():
     lost = attrs.evolve(mesh, topology=known)
     best = outcome(default_iterates(lost, objective("shape"))).best.mesh
     np.testing.assert_array_equal(best.points[mesh.topology.slides], mesh.points[mesh.topology.slides])
+
+
+@pytest.mark.parametrize("key", [row.key for row in OPTIMIZERS])
+def test_nodes_stop_at_the_ends_of_their_lines(key):
+    """Each has a short line of its own that ends between two elements."""
+    mesh = crossed(6, shift=0.1)
+    slides = np.flatnonzero(mesh.topology.slides)
+    ways = (mesh.lines[:, 1] - mesh.lines[:, 0])[mesh.topology.node_lines[slides]]
+    reach = 0.03 * SIZE * ways / np.linalg.norm(ways, axis=1, keepdims=True)
+    lines = np.full(len(mesh.points), -1)
+    lines[slides] = np.arange(len(slides))
+    known = attrs.evolve(mesh.topology, node_lines=lines)
+    ends = np.stack([mesh.points[slides] - reach, mesh.points[slides] + reach], axis=1)
+    short = attrs.evolve(mesh, topology=known, lines=ends)
+    made = run(key, short, "shape", stride=1)
+    for iterate in made:
+        along, _ = shares(iterate.mesh)
+        assert along.min() > -1e-9
+        assert along.max() < 1.0 + 1e-9
+        assert iterate.quality.inverted_count == 0
+    assert outcome(made).best.quality.mean > made[0].quality.mean
