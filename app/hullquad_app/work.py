@@ -13,7 +13,7 @@ import attrs
 from PySide6.QtCore import QCoreApplication
 
 from hullquad import worker
-from hullquad.errors import HullquadError, MeshingError, PlateError
+from hullquad.errors import HullquadError, PlateError
 from hullquad.mesh import Mesh
 from hullquad.metrics import Metric
 from hullquad.plate import Document, Notice
@@ -128,7 +128,7 @@ def meshed(
     for i, key in enumerate(keys):
         so_far = (i, len(keys)) if len(keys) > 1 else (0, 0)
         try:
-            contour = _contour(contours, key)
+            contour = _contour(state.plates, contours, key)
             mesh, making = yield from _made(contour, state.plates.input_hash, mesher, so_far)
             tracks[key] = attrs.evolve(_track(mesh, metric), making=Making.of(making, metric))
             left += filter(None, [remaining_triangles(mesh, contour.plate.place, cause)])
@@ -182,9 +182,11 @@ def plates_saved(plates: Document, path: Path) -> Work:
     return [path]
 
 
-def _contour(contours: Mapping[str, Attempt], key: str) -> "Contour":
+def _contour(plates: Document, contours: Mapping[str, Attempt], key: str) -> "Contour":
+    from hullquad.triangulation.curved import curved_refusal  # noqa: PLC0415
+
     if key not in contours:
-        raise MeshingError("E_CURVED", key)
+        raise curved_refusal(plates, plates.plate(key)).concerning(key)
     if isinstance(contour := contours[key], PlateError):
         raise contour
     return contour

@@ -15,6 +15,8 @@ SENTENCES: dict[str, str] = {
     "E_OPTIMIZER:rules": "fewest violations of which rules? Choose a rule set (--rules NAME or FILE)",
     "E_PLATE": "there is no plate {id} in the document; its plates are {known}",
     "E_CURVED": "curved surfaces: not yet; mesh the plane plates of the document",
+    "E_CURVED:shared": "curved surfaces: not yet; mesh the plane plates of the document; the edges that it has in "
+    "common with {neighbours} are divided by these alone",
     "E_CURVED:optimize": "the mesh is not flat, and the paper's method needs a plane; choose another optimiser",
     "E_PICTURE": "the plate has no mesh of which a picture could be made; mesh it first",
     # files

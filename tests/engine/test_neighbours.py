@@ -18,6 +18,7 @@ from hullquad.plate import Document, Line, Plate, Sizes, closed_loop
 from hullquad.surface import Plane
 from hullquad.triangulation.concerns import division_concerns, gap_concerns
 from hullquad.triangulation.contour import Contour, attempts, contours
+from hullquad.triangulation.curved import curved_refusal
 from hullquad.triangulation.edges import edge_counts, redivided
 from hullquad.triangulation.evening import evened
 from hullquad.triangulation.neighbours import neighbours
@@ -441,3 +442,11 @@ def test_an_edit_of_divisions_finds_what_the_plates_have_in_common_again():
     one, other = (neighbours(tuple(p for p in d.plates if p.is_plane)) for d in (BLOCK, edited))
     assert other.joints is one.joints
     assert other.frame.plates[7] is edited.plate("F0")
+
+
+def test_a_curved_plate_is_refused_with_the_plane_ones_beside_it():
+    refusal = curved_refusal(BLOCK, BLOCK.plate("BL"))
+    assert refusal.place == BLOCK.plate("BL").place
+    assert "in common with B2, SS, H0, H2 are divided by these alone" in refusal.text
+    alone = read_plates(PLATES / "bilge_shell.json")
+    assert curved_refusal(alone, alone.plates[0]).text.endswith("mesh the plane plates of the document")

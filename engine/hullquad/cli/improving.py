@@ -12,7 +12,7 @@ from hullquad.cli.clock import Clock
 from hullquad.cli.loading import load
 from hullquad.cli.output import complain, progress, say, say_json, warn
 from hullquad.cli.report import run_figures, run_text
-from hullquad.errors import FileError, HullquadError, MeshError, MeshingError, PlateError
+from hullquad.errors import FileError, HullquadError, MeshError, PlateError
 from hullquad.formats import check_output, read_mesh, survey_plates, write_mesh
 from hullquad.mesh import Mesh
 from hullquad.optimization.iterate import Iterate, Outcome
@@ -26,6 +26,7 @@ from hullquad.quality import quality
 from hullquad.rules import rule_set
 from hullquad.triangulation.concerns import concerns_of
 from hullquad.triangulation.contour import Contour, attempts
+from hullquad.triangulation.curved import curved_refusal
 
 _WATCHED, _UNWATCHED = 5, 1_000_000
 """Iterations from one look at a run to the next."""
@@ -44,7 +45,7 @@ def mesh_plates(options: Namespace) -> bool:
     for plate in plates:
         _warn(document, options.size, plate, contours.get(plate.id))
     is_alone = options.plate is not None or len(document.plates) + len(refusals) == 1
-    results = _results(plates, contours, document.input_hash, options, is_alone=is_alone)
+    results = _results(document, plates, contours, options, is_alone=is_alone)
     if options.json and not is_alone:
         say_json(results)
     elif options.json and results:
@@ -73,7 +74,7 @@ def optimize_mesh(options: Namespace) -> bool:
 
 
 def _results(
-    plates: Sequence[Plate], contours: _Outcomes, input_hash: str, options: Namespace, *, is_alone: bool
+    document: Document, plates: Sequence[Plate], contours: _Outcomes, options: Namespace, *, is_alone: bool
 ) -> list[dict[str, Any]]:
     """Figures of the plates that could be meshed; of the others it is told why not."""
     clock = _clock()
@@ -83,9 +84,11 @@ def _results(
     for plate in plates:
         output = options.output if is_alone else _beside(options.output, plate)
         try:
-            contour = _usable(plate, contours.get(plate.id), options.size)
+            if plate.id not in contours:
+                raise curved_refusal(document, plate)
+            contour = _usable(plate, contours[plate.id], options.size)
             check_output(output)
-            results.append(_mesh_plate(contour, input_hash, output, options, clock))
+            results.append(_mesh_plate(contour, document.input_hash, output, options, clock))
         except FileError as error:
             complain(error)
         except HullquadError as error:
@@ -93,10 +96,8 @@ def _results(
     return results
 
 
-def _usable(plate: Plate, contour: Contour | PlateError | None, size: float | str | None) -> Contour:
+def _usable(plate: Plate, contour: Contour | PlateError, size: float | str | None) -> Contour:
     """The contour to be meshed; raises why there is none."""
-    if contour is None:
-        raise MeshingError("E_CURVED", plate.place)
     if isinstance(contour, PlateError):
         is_of_size = size is not None and contour.place == plate.place
         raise contour.at("--size") if is_of_size else contour
