@@ -124,7 +124,8 @@ def _joined(nodes: Floats, triangles: Ints, task: Task, log: Log) -> Generator[S
         forbidden = np.concatenate([forbidden, _cuts(possible, sorted(chosen), spoilt)])
     if log.is_watched:
         start = whole(Step.TRIANGULATED, nodes, padded(triangles))
-        yield from (start, joined_states(start, possible, inwards(possible, chosen)))
+        order = yield from inwards(possible, chosen)
+        yield from (start, joined_states(start, possible, order))
         yield from smoothing
         yield log.compared(Step.SMOOTHED, made)
     return made
