@@ -10,6 +10,7 @@ import attrs
 import numpy as np
 
 from hullquad.arrays import Floats, floats
+from hullquad.quads.insets import inset_points
 from hullquad.quads.making import Task, making, shaking
 from hullquad.quads.mapped import grids
 from hullquad.quads.patchwork import Cutting, Patchwork
@@ -40,6 +41,8 @@ class Candidate:
     """Factor of the grading that is asked for."""
     halves_chords: bool = False
     """Whether there are points, too, in the middle of edges across the plate, from contour to contour."""
+    has_insets: bool = False
+    """Whether there are points, too, beside every node of a contour."""
 
 
 CANDIDATES = (
@@ -52,7 +55,7 @@ CANDIDATES = (
     Candidate(0.68),
     Candidate(0.82),
 )
-LAST_RESORT = Candidate(0.75, halves_chords=True)
+LAST_RESORTS = (Candidate(0.75, halves_chords=True), Candidate(0.75, has_insets=True))
 """Where triangles are left that could be avoided: in narrow parts there is no node then that could be moved."""
 
 
@@ -94,12 +97,12 @@ def trials(contour: Contour, settings: MeshSettings, *, is_watched: bool) -> Ite
     if not work.open:
         return
     guide, count, best = field(contour, settings.grading), 1, 0
-    for number, candidate in enumerate((*CANDIDATES, LAST_RESORT)):
-        regions = work.avoidable if candidate is LAST_RESORT else work.open if number < count else []
+    for number, candidate in enumerate((*CANDIDATES, *LAST_RESORTS)):
+        regions = work.avoidable if candidate in LAST_RESORTS else work.open if number < count else []
         if not regions:
             continue
         yield None
-        placed, settled = _triangulated(contour, candidate, guide), work.apart_from(regions)
+        placed, settled = _triangulated(contour, candidate, guide, regions), work.apart_from(regions)
         for states in making(*work.within(regions, placed), work.task(regions), is_watched=is_watched):
             trial = _trial(work, states, settled, number, max(count, number + 1))
             if trial is not None and trial.is_best:
@@ -142,12 +145,14 @@ def _task(contour: Contour, settings: MeshSettings) -> Task:
     )
 
 
-def _triangulated(contour: Contour, candidate: Candidate, guide: Field) -> Triangulation:
-    """Triangles of the contour and of a candidate's points."""
+def _triangulated(contour: Contour, candidate: Candidate, guide: Field, regions: list[int]) -> Triangulation:
+    """Triangles of the contour and of a candidate's points, good for some regions."""
     if candidate.spacing == 0:
         return _delaunay(contour, np.empty((0, 2)), _OWN_AREA * contour.size**2)
     eased, cut = attrs.evolve(guide, grading=candidate.grading * guide.grading), contour.cut
     points = aligned_points(cut.nodes, cut.segments, eased, contour.size, candidate.spacing)
+    if candidate.has_insets:
+        points = inset_points(contour, regions, points)
     found = _delaunay(contour, points)
     if candidate.halves_chords:
         found = _delaunay(contour, np.concatenate([points, _chord_middles(contour, found)]))
