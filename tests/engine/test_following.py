@@ -313,3 +313,11 @@ def test_a_line_faces_the_nodes_of_a_hole_that_it_passes_closely():
 def test_small_regions_with_three_sides_have_two_segments_on_each():
     found = followed(((0, 0), (200, 300)), ((400, 0), (200, 300)), size=390.0, divisions=((10, 5, 10, 5),))
     assert min((sorted(map(len, sides)) for sides in found.sides.three_sided.values()), key=sum) == [2, 2, 2]
+
+
+def test_no_piece_of_many_lines_is_shorter_than_the_tolerance():
+    rng = np.random.default_rng(1)
+    found = followed(*rng.uniform([0, 0], [2000, 1000], (50, 2, 2)), holes=[HOLE])
+    ends = found.lines[: found.followed.count]
+    assert np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).min() > 0.5
+    assert found.triangles_unavoidable == found.edge_count % 2

@@ -144,15 +144,26 @@ class _Work:
         one, other = one[both], other[both]
         if not len(one):
             return False
-        found = len(self._vertices) + _firsts(at[both], SNAP)
-        self._vertices += list(at[both])
-        self._tolerances += [SNAP] * len(found)
+        found = self._vertices_at(at[both])
         piece, vertex = np.concatenate([one, other]), longs(np.tile(found, 2))
         points = np.asarray(self._vertices)
         along = np.hypot(*(points[vertex] - points[ends[piece, 0]]).T)
         order = np.lexsort((vertex, along, piece))
         self._cut(ends, piece[order], vertex[order])
         return True
+
+    def _vertices_at(self, points: Floats) -> Longs:
+        """Vertices for points, those within the tolerance of a vertex, or of an earlier point, the same."""
+        known = shapely.STRtree(shapely.points(np.asarray(self._vertices)))
+        near = known.query_nearest(shapely.points(points), max_distance=SNAP, all_matches=False)
+        found = np.full(len(points), -1)
+        found[near[0]] = near[1]
+        fresh = np.flatnonzero(found < 0)
+        firsts, numbers = np.unique(_firsts(points[fresh], SNAP), return_inverse=True)
+        found[fresh] = len(self._vertices) + numbers
+        self._vertices += list(points[fresh[firsts]])
+        self._tolerances += [SNAP] * len(firsts)
+        return longs(found)
 
     def result(self, region: shapely.Polygon) -> Arrangement:
         """The pieces inside the plate."""

@@ -57,12 +57,15 @@ class _Rows:
         self._row = np.arange(len(self.numbers))
         self._row[list(given)] = -1
         self._settled = np.zeros(len(self.numbers), dtype=bool)
+        whole = {**around.three_sided, **around.four_sided}
+        self._parts = {region: tuple(map(self._pieces, parts)) for region, parts in whole.items()}
 
     def opposite(self) -> Iterator[tuple[Longs, Longs]]:
         """Opposite sides of the regions that have four, as pieces; -1 is a segment of the contour."""
-        for a, b, c, d in self._around.four_sided.values():
-            yield self._pieces(a), self._pieces(c)
-            yield self._pieces(b), self._pieces(d)
+        for region in self._around.four_sided:
+            a, b, c, d = self._parts[region]
+            yield a, c
+            yield b, d
 
     def unite(self, one: Longs, other: Longs) -> None:
         """Make rows of pieces that face each other and are about as long."""
@@ -93,8 +96,8 @@ class _Rows:
 
     def widen(self) -> None:
         """Divide sides of regions with three of them in two, if that makes no segment too short."""
-        for parts in self._around.three_sided.values():
-            for pieces in map(self._pieces, parts):
+        for region in self._around.three_sided:
+            for pieces in self._parts[region]:
                 row = self._row_of(pieces[0]) if len(pieces) == 1 else -1
                 if row >= 0 and self.numbers[row] == 1 and max(self._misfit(self._members(row), 2)) <= log(_SHORTER):
                     self.numbers[self._members(row)] = 2
@@ -107,7 +110,7 @@ class _Rows:
         singles = [longs([piece]) for members in rows if len(members) > 1 for piece in members.tolist()]
         choices = [choice for members in (*rows, *singles) if (choice := self._choice(members)) is not None]
         ways = [(one, other, weight) for (one, other), weight, _, _ in choices]
-        reluctance = dict.fromkeys((*self._around.four_sided, *self._around.three_sided), _GRID_LOST)
+        reluctance = dict.fromkeys(self._parts, _GRID_LOST)
         for way in sorted(parity.changes(regions, np.flatnonzero(counts % 2).tolist(), ways, reluctance)):
             _, _, members, step = choices[way]
             self.numbers[members] += step if (self.numbers[members] + step > 0).all() else -step
@@ -125,6 +128,8 @@ class _Rows:
 
     def _loses_grid(self, region: int, members: Longs, number: int) -> bool:
         """Whether the sides of a region agree, but would not with another number of segments of some pieces."""
+        if region not in self._parts:
+            return False
         kept, agreed = self.numbers.copy(), self._agrees(region)
         self.numbers[members] = number
         agrees = self._agrees(region)
@@ -133,13 +138,10 @@ class _Rows:
 
     def _agrees(self, region: int) -> bool:
         """Whether opposite ones of four sides have as many segments, or none of three as many as the others or more."""
-        if region in self._around.three_sided:
-            a, b, c = (self._count(self._pieces(part)) for part in self._around.three_sided[region])
-            return 2 * max(a, b, c) < a + b + c
-        if region in self._around.four_sided:
-            a, b, c, d = (self._count(self._pieces(part)) for part in self._around.four_sided[region])
-            return a == c and b == d
-        return False
+        counts = [self._count(part) for part in self._parts[region]]
+        if len(counts) == 3:
+            return 2 * max(counts) < sum(counts)
+        return counts[:2] == counts[2:]
 
     def _misfit(self, members: Longs, number: int) -> list[float]:
         return [abs(log(length / number / self._size)) for length in self._lengths[members].tolist()]

@@ -13,6 +13,7 @@ import numpy as np
 from hullquad.arrays import Floats, Longs, floats, longs
 from hullquad.metrics.compiled import called, compiled, woven
 from hullquad.triangulation.field import Field
+from hullquad.triangulation.sizes import MOST_ELEMENTS
 
 SPACING = 0.75
 CLEARANCE = 0.45
@@ -76,7 +77,7 @@ def _most_points(guide: Field, given: int) -> int:
     areas = 0.5 * (u[:, 0] * w[:, 1] - u[:, 1] * w[:, 0])
     m1, m2, m3 = guide.values[guide.triangles, 2:].mean(axis=1).T
     least = np.maximum(m1**2 - m2**2 - m3**2, 0.01 * m1**2)
-    return 1024 + given * 64 + int(4 * (areas / least).sum())
+    return int(min(1024 + given * 64 + 4 * (areas / least).sum(), 2 * MOST_ELEMENTS))
 
 
 def _cells_of(segments: Floats, low: Floats, cell: float, across: int) -> Longs:
