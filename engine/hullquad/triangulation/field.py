@@ -15,13 +15,13 @@ is larger than the length of such a segment plus the grading times the distance 
 import attrs
 import numpy as np
 from scipy import sparse
-from scipy.sparse.linalg import splu
 
 from hullquad.arrays import Floats, Ints, Longs, floats, longs
 from hullquad.topology import paired_sides
 from hullquad.triangulation.contour import Contour
 from hullquad.triangulation.delaunay import triangulate
 from hullquad.triangulation.sides import Sides
+from hullquad.triangulation.solving import solved
 
 BACKGROUND_AREA = 2.0
 """Largest background triangle over the square of the element size."""
@@ -67,12 +67,13 @@ def field(contour: Contour, grading: float = GRADING) -> Field:
     MeshingError, WorkerError
         The plate could not be triangulated.
     """
+    place = contour.plate.place
     ground = triangulate(
         contour.nodes,
         contour.loop_starts,
         area=BACKGROUND_AREA * contour.size**2,
         min_angle=BACKGROUND_ANGLE,
-        place=contour.plate.place,
+        place=place,
         lines=contour.line_edges,
     )
     nodes, triangles = contour.cut.cut(ground.nodes, ground.triangles)
@@ -82,7 +83,7 @@ def field(contour: Contour, grading: float = GRADING) -> Field:
         nodes=nodes,
         triangles=triangles,
         neighbours=_neighbours(triangles),
-        values=np.hstack([_crosses(stiffness, wishes), _sizes(stiffness, wishes, contour.size)]),
+        values=np.hstack([_crosses(stiffness, wishes, place), _sizes(stiffness, wishes, contour.size, place)]),
         seeds=wishes.seeds,
         grading=grading,
     )
@@ -114,16 +115,16 @@ def _arms(around: Sides) -> Floats:
     return floats(around.headings + around.angles / 2 + np.where(around.fitting % 2 == 1, np.pi / 4, 0.0))
 
 
-def _crosses(stiffness: sparse.csc_array, wishes: _Wishes) -> Floats:
+def _crosses(stiffness: sparse.csc_array, wishes: _Wishes, place: str) -> Floats:
     """(B, 2) cos 4a and sin 4a, not of unit length."""
     rim = len(wishes.crosses)
     weight = np.where(np.arange(wishes.nodes) < rim, _STIFFNESS, _FAINT)
     wanted = np.zeros((wishes.nodes, 2))
     wanted[:rim] = _STIFFNESS * np.stack([np.cos(wishes.crosses), np.sin(wishes.crosses)], axis=1)
-    return floats(splu((stiffness + sparse.diags_array(weight)).tocsc()).solve(wanted))
+    return solved((stiffness + sparse.diags_array(weight)).tocsc(), wanted, place)
 
 
-def _sizes(stiffness: sparse.csc_array, wishes: _Wishes, size: float) -> Floats:
+def _sizes(stiffness: sparse.csc_array, wishes: _Wishes, size: float, place: str) -> Floats:
     """(B, 3) m1, m2, m3: the smoothest for which every segment that is not fine has its length along itself."""
     count, chosen = wishes.nodes, wishes.is_normal
     double = 2 * wishes.angles[chosen]
@@ -138,7 +139,7 @@ def _sizes(stiffness: sparse.csc_array, wishes: _Wishes, size: float) -> Floats:
         row[i] = row[i] + stiffness + sparse.diags_array(np.full(count, _FAINT)).tocsc()
         rows.append(row)
     matrix = sparse.block_array(rows).tocsc()
-    return _tamed(splu(matrix).solve(right.ravel()).reshape(3, count).T, wishes.lengths)
+    return _tamed(solved(matrix, right.ravel(), place).reshape(3, count).T, wishes.lengths)
 
 
 def _tamed(sizes: Floats, lengths: Floats) -> Floats:
