@@ -6,7 +6,7 @@ from itertools import islice
 from math import ceil
 from time import perf_counter
 
-from PySide6.QtCore import QObject, QTimer, Signal
+from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from hullquad.optimization.iterate import Iterate
 from hullquad.optimization.stops import Stop
@@ -40,7 +40,7 @@ class Run(QObject):
         self._mailbox: Mailbox[Iterate] | None = None
         self._stop: Stop | None = None
         self._painting = 0.0
-        self._timer = QTimer(self, singleShot=True)
+        self._timer = QTimer(self, singleShot=True, timerType=Qt.TimerType.PreciseTimer)
         self._timer.timeout.connect(self._fetch)
 
     @property

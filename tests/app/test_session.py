@@ -188,7 +188,7 @@ def test_meshing_all_plates_is_one_step_and_refusals_are_told(session, block, sa
     assert [label.split(":")[0] for label in labels(session)] == [f"Mesh {len(scene.state.tracks)} plates (paper)"]
     assert scene.view.key == "H1"
     assert set(session.workshop.refused) | set(scene.state.tracks) == set(scene.state.keys)
-    assert [error.place for error in said] == list(session.workshop.refused)
+    assert said == list(session.workshop.refused.values())
 
 
 def test_cancelled_meshing_leaves_the_document(session, open_, qtbot):
