@@ -32,6 +32,7 @@ class Source:
     def __next__(self) -> Iterate:
         started = perf_counter()
         iterate = next(self._iterates)
+        _ = iterate.quality.worst_element  # found here and kept, so that no window has to
         self.seconds += perf_counter() - started
         if self.seconds < self._most or iterate.stop is not None or iterate.number == 0:
             return iterate

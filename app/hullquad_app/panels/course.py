@@ -95,7 +95,11 @@ def _stages(track: Track) -> Iterator[Stage]:
 
 
 def _parts(track: Track) -> Iterator[Part]:
-    kinds = [(iterate.quality.metric, track.weighted_at(iterate.number)) for iterate in track.iterates]
+    is_weighted = any(len(passage.objective.terms) > 1 for passage in track.passages)
+    kinds = [
+        (iterate.quality.metric, track.weighted_at(iterate.number) if is_weighted else None)
+        for iterate in track.iterates
+    ]
     starts = [row for row, kind in enumerate(kinds) if row == 0 or kind != kinds[row - 1]]
     for start, end in zip(starts, [*starts[1:], len(kinds)], strict=True):
         by, weighted = kinds[start]
