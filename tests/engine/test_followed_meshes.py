@@ -148,3 +148,12 @@ def test_a_mesh_that_follows_lines_comes_back_from_its_file(tmp_path):
 def test_without_following_only_ends_of_lines_are_nodes():
     contour = contours(read_plates(PLATES / "floor_manholes.json"), "coarse")["floor_manholes"]
     assert not (pipeline.best_mesh(contour).topology.node_states == NodeState.ON_LINE).any()
+
+
+def test_lines_that_cross_anyhow_are_followed_by_valid_elements():
+    rng = np.random.default_rng(0)
+    corners = (0, 0), (2000, 0), (2000, 1000), (0, 1000)
+    contour = followed(straight(*corners), rng.uniform([0, 0], [2000, 1000], (25, 2, 2)), 100.0)
+    mesh = pipeline.best_mesh(contour)
+    check(mesh, contour)
+    assert len(mesh.topology.elements) < 1500

@@ -139,11 +139,11 @@ def _sizes(stiffness: sparse.csc_array, wishes: _Wishes, size: float, place: str
         row[i] = row[i] + stiffness + sparse.diags_array(np.full(count, _FAINT)).tocsc()
         rows.append(row)
     matrix = sparse.block_array(rows).tocsc()
-    return _tamed(solved(matrix, right.ravel(), place).reshape(3, count).T, wishes.lengths)
+    return _tamed(solved(matrix, right.ravel(), place).reshape(3, count).T, np.append(wishes.lengths[chosen], size))
 
 
 def _tamed(sizes: Floats, lengths: Floats) -> Floats:
-    """Sizes within those of the segments, and no more than three times as long one way as the other."""
+    """Sizes within those of segments that are not fine, and no more than three times as long one way as the other."""
     mean = np.clip(sizes[:, 0], lengths.min(), lengths.max())
     excess = np.hypot(sizes[:, 1], sizes[:, 2]) / (0.5 * mean)
     return floats(np.column_stack([mean, sizes[:, 1:] / np.maximum(excess, 1.0)[:, None]]))
