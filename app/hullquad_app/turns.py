@@ -5,7 +5,7 @@ from time import perf_counter, thread_time
 
 from PySide6.QtCore import QObject, Qt, QTimer
 
-_LEAST, _MOST = 1, 5
+_LEAST, _MOST = 1, 3
 """Rest after a piece: as long as it took, within these bounds [ms]."""
 _OTHERS = 0.002
 """Computing time of other things during a rest, from which on the rest is begun again [s]."""
