@@ -6,6 +6,7 @@ from hullquad.mesh import Mesh
 from hullquad.metrics import Metric
 from hullquad.optimization.iterate import Outcome
 from hullquad.quality import Quality
+from hullquad.sentences import counted
 from hullquad.topology import reversed_elements
 
 
@@ -63,8 +64,9 @@ def _elements_text(figures: dict[str, Any]) -> str:
     unavoidable = figures["triangles_unavoidable"]
     note = "" if unavoidable is None else f" ({unavoidable} unavoidable)"
     return (
-        f"{figures['plate'] or 'mesh'}: {figures['quads']} quads, {figures['triangles']} triangles{note}, "
-        f"{figures['nodes']} nodes, {figures['free']} of them free"
+        f"{figures['plate'] or 'mesh'}: {counted(figures['quads'], 'quad')}, "
+        f"{counted(figures['triangles'], 'triangle')}{note}, "
+        f"{counted(figures['nodes'], 'node')}, {figures['free']} of them free"
     )
 
 
@@ -83,4 +85,4 @@ def _stop_text(run: Outcome) -> list[str]:
     stop = run.last.stop
     if stop is None:
         return []
-    return [f"  stopped after {run.last.number} iterations: {stop.reason}", f"  {stop.advice}"]
+    return [f"  stopped after {counted(run.last.number, 'iteration')}: {stop.reason}", f"  {stop.advice}"]
