@@ -32,6 +32,9 @@ def _figures(plan: Plan, first: Iterate, last: Iterate) -> tuple[str, str, str]:
     if key == "worst":
         before, after = (valued(iterate.quality.worst, plan.objective.metric) for iterate in (first, last))
         return _tr("worst {metric}").format(metric=name), before, after
+    if key == "worst_quad":
+        before, after = (valued(iterate.quality.worst_quad, plan.objective.metric) for iterate in (first, last))
+        return _tr("worst {metric} of a quad").format(metric=name), before, after
     unit = unit_of(plan.objective.metric) if len(plan.objective.terms) == 1 else ""
     return name, f"{first.objective:.2f}{unit}", f"{last.objective:.2f}{unit}"
 

@@ -48,6 +48,12 @@ OPTIMIZERS = (
         "Raises the worst element as far as it goes, then the sum without lowering it again.",
     ),
     Optimizer(
+        "worst_quad",
+        "Best worst quad",
+        "The same for quads alone, where a triangle that is left over would be the worst; the floor holds triangles.",
+        has_floor=True,
+    ),
+    Optimizer(
         "rules",
         "Fewest violations",
         "Brings as many elements as possible within a rule set, then makes the sum better.",
@@ -102,8 +108,8 @@ def iterates(
         return paper_iterates(mesh, objective.metric, paper)
     if chosen.key == "untangle":
         return modes.untangle_iterates(mesh, objective, search)
-    if chosen.key == "worst":
-        return modes.worst_iterates(mesh, objective, search)
+    if chosen.key in {"worst", "worst_quad"}:
+        return modes.worst_iterates(mesh, objective, attrs.evolve(search, is_for_quads=chosen.key == "worst_quad"))
     if chosen.has_rules:
         if rule_set is None:
             raise HullquadError("E_OPTIMIZER", key, "rules")

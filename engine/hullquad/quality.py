@@ -53,6 +53,13 @@ class Quality:
         """Value of the worst element."""
         return float(self.values[self.worst_element])
 
+    @property
+    def worst_quad(self) -> float:
+        """Value of the worst quad; of the worst element where there are none."""
+        if self.is_triangle.all():
+            return self.worst
+        return float(self.values[np.where(self.is_triangle, -np.inf, self.badness).argmax()])
+
     @cached_property
     def mean(self) -> float:
         """Mean over the elements on the metric's axis; infinite where one is, nan where there are none."""

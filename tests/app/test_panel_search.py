@@ -179,6 +179,7 @@ def rows_shown(panel):
         ("default", {"by", "local", "floor", "iterations", "seconds"}),
         ("fine", {"by", "local", "floor", "iterations", "seconds"}),
         ("worst", {"by", "local", "iterations", "seconds"}),
+        ("worst_quad", {"by", "local", "floor", "iterations", "seconds"}),
         ("rules", {"by", "local", "rules", "floor", "iterations", "seconds"}),
         ("untangle", {"local", "iterations", "seconds"}),
         ("paper", {"by", "step"}),

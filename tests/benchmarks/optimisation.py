@@ -51,7 +51,6 @@ class Way:
     optimizer: str
     objective: str
     floor: float | None = 0.3
-    is_for_quads: bool = False
 
 
 OURS = (
@@ -59,8 +58,8 @@ OURS = (
     Way("default, stretch", "default", "stretch"),
     Way("fine, stretch, floor off", "fine", "stretch", floor=None),
     Way("default, shape", "default", "shape"),
-    Way("worst quad, shape", "worst", "shape", is_for_quads=True),
-    Way("worst quad, scaled Jacobian", "worst", "scaled_jacobian", is_for_quads=True),
+    Way("worst quad, shape", "worst_quad", "shape"),
+    Way("worst quad, scaled Jacobian", "worst_quad", "scaled_jacobian"),
     Way("worst, shape", "worst", "shape"),
     Way("worst, scaled Jacobian", "worst", "scaled_jacobian"),
     Way("the paper's, stretch", "paper", "stretch"),
@@ -116,7 +115,7 @@ def figures(mesh: Mesh) -> tuple[float, ...]:
 
 def ours(mesh: Mesh, way: Way) -> tuple[Mesh, float]:
     start = perf_counter()
-    settings = SearchSettings(floor=way.floor, stride=QUICK, is_for_quads=way.is_for_quads)
+    settings = SearchSettings(floor=way.floor, stride=QUICK)
     run = outcome(iterates(way.optimizer, mesh, objective(way.objective), settings))
     return run.best.mesh, perf_counter() - start
 

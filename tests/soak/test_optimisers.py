@@ -62,7 +62,6 @@ def case(number: int) -> Case:
             schedule=(QUICK, FINE)[chance.integers(2)],
             iterations=int(chance.integers(1, 200)),
             stride=int(chance.choice([1, 7, 25, 1000])),
-            is_for_quads=bool(chance.integers(2)),
             chosen=chosen,
         ),
         paper=PaperSettings(iterations=30, step=float(chance.choice([0.001, 0.003, 0.03]))),
@@ -167,10 +166,10 @@ def rank(mesh: Mesh, case: Case) -> tuple[float, ...]:
         return folded, sense * float(sums.sum())
     if key == "untangle":
         return (folded,)
-    if key == "worst":
-        held = search.is_for_quads and not judged.is_triangle.all()
-        worst = judged.badness[~judged.is_triangle].max() if held else aim.badness(np.array(judged.worst))
-        return folded, -float(worst), -loss(mesh, case, max(search.floor or 0.0, 0.05) if search.is_for_quads else None)
+    if key in {"worst", "worst_quad"}:
+        worst = judged.worst if key == "worst" else judged.worst_quad
+        floor = None if key == "worst" else max(search.floor or 0.0, 0.05)
+        return folded, -float(aim.badness(np.array(worst))), -loss(mesh, case, floor)
     if key == "rules":
         counts = assess(mesh, case.rules).counts
         violations = (-float(counts[level]) for level in (Level.ERROR, Level.WARN))

@@ -89,9 +89,7 @@ def mended(course: Course, asked: tuple[Demand, ...], objective: Objective, sett
 def worst_value(course: Course, metric: Metric, settings: SearchSettings) -> float:
     """Value of the worst element, or of the worst quad, if that is what counts [the metric's unit]."""
     judged = quality(course.mesh(), metric)
-    if settings.is_for_quads and not judged.is_triangle.all():
-        return float(judged.values[np.where(judged.is_triangle, -np.inf, judged.badness).argmax()])
-    return judged.worst
+    return judged.worst_quad if settings.is_for_quads else judged.worst
 
 
 def floor_of_others(settings: SearchSettings) -> float | None:
