@@ -165,6 +165,7 @@ def test_a_time_limit_counts_no_pause(dented):
     [
         ("default", "Step stretch: {0.objective:.2f} → {1.objective:.2f}"),
         ("worst", "Step worst stretch: {0.quality.worst:.3f} → {1.quality.worst:.3f}"),
+        ("worst_quad", "Step worst stretch of a quad: {0.quality.worst_quad:.3f} → {1.quality.worst_quad:.3f}"),
         ("untangle", "Step inverted elements: 0 → 0"),
     ],
 )
