@@ -28,7 +28,7 @@ TIP = box([((300, 0), (360, 70)), ((400, 0), (360, 70))])
 def test_every_point_lies_in_its_region_and_others_keep_away():
     small = int(np.argmin(np.bincount(TIP.sides.regions)))
     others = np.array([[350.0, 30.0], [100.0, 100.0]])
-    points = inset_points(TIP, [small], others)
+    points = inset_points(TIP, [small], others, 0.35)
     assert [100.0, 100.0] in points.tolist()
     assert [350.0, 30.0] not in points.tolist()
     inside = points[(points != [100.0, 100.0]).any(axis=1)]

@@ -8,21 +8,22 @@ from hullquad.triangulation.divided import Contour
 
 MOST = 100
 """Sides of a small region: larger ones have other places for nodes."""
-_DEPTH = 0.35
-"""How far inside, over the shorter of the two sides that meet there."""
 _APART = 0.5
 """Least distance between points, over their depth."""
 
 
-def inset_points(contour: Contour, regions: list[int], others: Floats) -> Floats:
-    """(P, 2) points along the sides of some regions, and of other points those that are not near them [mm]."""
+def inset_points(contour: Contour, regions: list[int], others: Floats, depth: float) -> Floats:
+    """(P, 2) points along the sides of some regions, and of other points those that are not near them [mm].
+
+    They lie so far inside, over the shorter of the two sides that meet there.
+    """
     around = contour.sides
     small = np.bincount(around.regions)[regions] <= MOST
     chosen = np.flatnonzero(np.isin(around.regions, np.array(regions)[small]))
     arriving = np.empty_like(around.following)
     arriving[around.following] = np.arange(len(arriving))
     lengths = np.hypot(*(around.nodes[around.ends[:, 1]] - around.nodes[around.ends[:, 0]]).T)
-    depths = _DEPTH * np.minimum(lengths[chosen], lengths[arriving[chosen]])
+    depths = depth * np.minimum(lengths[chosen], lengths[arriving[chosen]])
     middle = around.headings[chosen] + around.angles[chosen] / 2
     points = around.nodes[around.ends[chosen, 0]] + depths[:, None] * np.stack([np.cos(middle), np.sin(middle)], axis=1)
     rim = shapely.multilinestrings(shapely.linestrings(around.nodes[around.ends[chosen]]))

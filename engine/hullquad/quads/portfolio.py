@@ -41,8 +41,8 @@ class Candidate:
     """Factor of the grading that is asked for."""
     halves_chords: bool = False
     """Whether there are points, too, in the middle of edges across the plate, from contour to contour."""
-    has_insets: bool = False
-    """Whether there are points, too, beside every node of a contour."""
+    inset: float = 0.0
+    """How far inside there are points, too, beside every node of a contour, over the length of its segments."""
 
 
 CANDIDATES = (
@@ -55,7 +55,7 @@ CANDIDATES = (
     Candidate(0.68),
     Candidate(0.82),
 )
-LAST_RESORTS = (Candidate(0.75, halves_chords=True), Candidate(0.75, has_insets=True))
+LAST_RESORTS = (Candidate(0.75, halves_chords=True), Candidate(0.75, inset=0.35), Candidate(0.75, inset=0.2))
 """Where triangles are left that could be avoided: in narrow parts there is no node then that could be moved."""
 
 
@@ -151,8 +151,8 @@ def _triangulated(contour: Contour, candidate: Candidate, guide: Field, regions:
         return _delaunay(contour, np.empty((0, 2)), _OWN_AREA * contour.size**2)
     eased, cut = attrs.evolve(guide, grading=candidate.grading * guide.grading), contour.cut
     points = aligned_points(cut.nodes, cut.segments, eased, contour.size, candidate.spacing)
-    if candidate.has_insets:
-        points = inset_points(contour, regions, points)
+    if candidate.inset:
+        points = inset_points(contour, regions, points, candidate.inset)
     found = _delaunay(contour, points)
     if candidate.halves_chords:
         found = _delaunay(contour, np.concatenate([points, _chord_middles(contour, found)]))
