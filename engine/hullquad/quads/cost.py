@@ -1,9 +1,11 @@
 """What a finished mesh costs: by this the best of several is chosen.
 
 The cost is the mean energy of the elements (`quads.energy`: 0 for a square), plus `WORST` times that of the worst one
-up to `MOST`, plus `NUMBER` times the number of elements over the number of squares of the element size that the plate
-has room for. A triangle that could have been avoided costs `TRIANGLE`.
+up to `MOST`, plus `NUMBER` times the number of elements over the usual number. A triangle that could have been avoided
+costs `TRIANGLE`.
 """
+
+import numpy as np
 
 from hullquad.arrays import Floats
 from hullquad.quads.draft import Draft
@@ -12,23 +14,31 @@ from hullquad.quads.settings import Preference
 
 WORST = 0.03
 MOST = 25.0
-NUMBER = 0.1
+NUMBER = 0.6
+POOR = 4.0
+"""No element counts as worse where others are weighed against it."""
 TRIANGLE = 100.0
 """More than anything else can cost."""
 
 
-def cost(made: Draft, unavoidable: int, squares: float, prefer: Preference) -> float:
-    """Cost of a mesh, of whose triangles so many are unavoidable, on a plate with room for so many elements."""
+def cost(made: Draft, unavoidable: int, usual: float, prefer: Preference) -> float:
+    """Cost of a mesh, of whose triangles so many are unavoidable, where so many elements are usual."""
     energies = element_energies(made.nodes, made.element_rows)
-    return price(energies, max(0, len(made.triangles) - unavoidable), squares, prefer)
+    return price(energies, max(0, len(made.triangles) - unavoidable), usual, prefer)
 
 
-def price(energies: Floats, avoidable: int, squares: float, prefer: Preference) -> float:
+def price(energies: Floats, avoidable: int, usual: float, prefer: Preference) -> float:
     """Cost of elements of these energies, among them so many triangles that could have been avoided."""
     worst, mean = min(float(energies.max()), MOST), float(energies.mean())
     if prefer is Preference.QUALITY:
-        return worst + WORST * (mean + NUMBER * len(energies) / squares + avoidable / len(energies))
-    return TRIANGLE * avoidable + mean + WORST * worst + NUMBER * len(energies) / squares
+        return worst + WORST * (mean + NUMBER * len(energies) / usual + avoidable / len(energies))
+    return TRIANGLE * avoidable + mean + WORST * worst + NUMBER * len(energies) / usual
+
+
+def element_price(made: Draft, usual: float) -> float:
+    """What one element more costs in all, beside its own energy: the more of them, the less does each of them weigh."""
+    energies = element_energies(made.nodes, made.element_rows)
+    return NUMBER * len(energies) / usual - float(np.minimum(energies, POOR).mean())
 
 
 def least_cost(prefer: Preference) -> float:

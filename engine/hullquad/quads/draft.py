@@ -34,6 +34,8 @@ class Draft(NamedTuple):
     """(C,) nodes of the contour."""
     ideal: Longs
     """(C,) number of elements that would fit best around a node."""
+    bound: Longs
+    """(C,) the other end of a line of one segment that nothing else holds, -1 where a node is none."""
     elements: Longs
     """(M, 4) nodes in order, a triangle ends with -1; a row that is not in use begins with -1."""
     around: Longs
@@ -69,7 +71,7 @@ class Draft(NamedTuple):
             own[...] = saved
 
 
-def draft(nodes: Floats, elements: Ints, held: int, rim_ideal: Longs) -> Draft:
+def draft(nodes: Floats, elements: Ints, held: int, rim_ideal: Longs, bound: Ints | None = None) -> Draft:
     """Draft of a mesh.
 
     Parameters
@@ -82,6 +84,8 @@ def draft(nodes: Floats, elements: Ints, held: int, rim_ideal: Longs) -> Draft:
         So many nodes, the first ones, stay where they are.
     rim_ideal : (R,) int array
         Number of elements that fit best around each contour node; they are the first nodes.
+    bound : (K, 2) int array, optional
+        Edges that stay though elements are all around them.
     """
     count, rows = len(nodes), len(elements)
     node_room, element_room = _with_spare(count), _with_spare(rows)
@@ -91,6 +95,7 @@ def draft(nodes: Floats, elements: Ints, held: int, rim_ideal: Longs) -> Draft:
         held=np.arange(node_room) < held,
         on_rim=np.arange(node_room) < len(rim_ideal),
         ideal=np.full(node_room, 4),
+        bound=np.full(node_room, -1),
         elements=np.full((element_room, 4), -1, dtype=np.int64),
         around=np.full((node_room, most + _SPARE), -1, dtype=np.int64),
         counts=np.zeros(node_room, dtype=np.int64),
@@ -100,6 +105,8 @@ def draft(nodes: Floats, elements: Ints, held: int, rim_ideal: Longs) -> Draft:
     )
     made.nodes[:count], made.elements[:rows] = nodes, elements
     made.ideal[: len(rim_ideal)] = rim_ideal
+    if bound is not None:
+        made.bound[bound[:, 0]], made.bound[bound[:, 1]] = bound[:, 1], bound[:, 0]
     _tell_nodes(made, elements)
     return made
 
@@ -113,7 +120,7 @@ def finished(made: Draft, given: int) -> tuple[Floats, Ints]:
     return compact(made.nodes, made.element_rows, given)
 
 
-def _tell_nodes(made: Draft, elements: Ints) -> None:
+def _tell_nodes(made: Draft, elements: Ints | Longs) -> None:
     """Tell every node the elements around it, in order."""
     owners, corners = np.nonzero(elements >= 0)
     ends = elements[owners, corners]
@@ -121,6 +128,19 @@ def _tell_nodes(made: Draft, elements: Ints) -> None:
     made.counts[:] = np.bincount(ends, minlength=len(made.counts))
     places = np.arange(len(ends)) - (np.cumsum(made.counts) - made.counts)[ends[order]]
     made.around[ends[order], places] = owners[order]
+
+
+def compacted(made: Draft) -> None:
+    """Close the gaps between the nodes and elements in use."""
+    used = made.counts > 0
+    used[: int(np.count_nonzero(made.held))] = True
+    rows = np.append(np.cumsum(used) - 1, -1)[made.element_rows]
+    nodes = made.nodes[used]
+    made.nodes[: len(nodes)] = nodes
+    made.elements[:] = -1
+    made.elements[: len(rows)] = rows
+    made.tallies[NODES], made.tallies[ELEMENTS] = len(nodes), len(rows)
+    _tell_nodes(made, rows)
 
 
 @called
@@ -169,7 +189,9 @@ def node_after(elements: Longs, element: int, node: int, steps: int) -> int:
 
 @called
 def element_across(made: Draft, element: int, start: int, end: int) -> int:
-    """The element on the other side of an edge that `element` runs from `start` to `end`, -1 on the contour."""
+    """The element on the other side of an edge that `element` runs from `start` to `end`, -1 on the rim."""
+    if made.bound[start] == end:
+        return -1
     for place in range(made.counts[end]):
         other = made.around[end, place]
         if other != element and node_after(made.elements, other, end, 1) == start:

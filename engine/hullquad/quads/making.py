@@ -1,13 +1,14 @@
 """From triangles to the finished quads of one candidate: joined, repaired, cleaned up, smoothed."""
 
 from collections.abc import Generator, Iterator
+from functools import partial
 
 import attrs
 import numpy as np
 
 from hullquad.arrays import Bools, Floats, Ints, Longs, ints
 from hullquad.quads.cleanup import cleaned
-from hullquad.quads.cost import cost, least_cost
+from hullquad.quads.cost import cost, element_price, least_cost
 from hullquad.quads.draft import Draft, draft, finished
 from hullquad.quads.energy import INVALID, element_energies
 from hullquad.quads.inwards import inwards
@@ -18,7 +19,7 @@ from hullquad.quads.matching import matching
 from hullquad.quads.pairs import Pairs, pairs
 from hullquad.quads.repair import repaired
 from hullquad.quads.settings import Preference
-from hullquad.quads.shaking import shaken
+from hullquad.quads.shaking import Costs, shaken
 from hullquad.quads.smoothing import relaxed
 from hullquad.quads.stages import States, Step, padded, whole
 from hullquad.quads.trial import change, ground
@@ -28,10 +29,10 @@ _ATTEMPTS = 3
 _SWEEPS = 12
 _LAST_SWEEPS = 40
 _PASSES = 8
-_SHAKING = 150_000
-_MOST_SHAKES = 2000
+_SHAKING = 2_400_000
+_MOST_SHAKES = 20_000
 """Shakes times elements, and shakes: small meshes are worth them."""
-_FEWEST_SHAKES = 100
+_FEWEST_SHAKES = 1000
 _NEAR = 0.02
 _NEARER = 0.001
 """Smoothing ends when no node moves farther than this part of the element size."""
@@ -47,10 +48,12 @@ class Task:
     """Number of nodes that the contour and the plate give; they are the first ones and never move."""
     rim_ideal: Longs
     """(R,) number of elements that fit best around each contour node."""
+    bound: Ints
+    """(K, 2) lines of one segment with elements all around: nothing else holds them."""
     size: float
     """Length that an edge should have [mm]."""
-    squares: float
-    """Number of squares of that size that the plate has room for."""
+    usual: float
+    """Number of elements that others are compared with: that of half the triangles of the first candidate."""
     unavoidable: int
     """Triangles."""
     prefer: Preference = Preference.QUADS
@@ -94,10 +97,11 @@ def making(nodes: Floats, triangles: Ints, task: Task, *, is_watched: bool) -> M
 def shaking(finished_one: States, task: Task, *, is_watched: bool) -> Making:
     """A finished mesh shaken, the more often the smaller it is."""
     nodes, elements = finished_one.at(0, task.given)
-    made, log = draft(nodes, elements, task.given, task.rim_ideal), Log(is_watched=is_watched)
+    made, log = draft(nodes, elements, task.given, task.rim_ideal, task.bound), Log(is_watched=is_watched)
     log.begin(made, finished_one)
     times = min(_MOST_SHAKES, _SHAKING // len(elements))
-    yield from shaken(made, change(), ground(made), times if times >= _FEWEST_SHAKES else 0, log)
+    costs = Costs(partial(_cost, task=task), partial(element_price, usual=task.usual))
+    yield from shaken(made, change(), ground(made), times if times >= _FEWEST_SHAKES else 0, costs, log)
     yield from relaxed(made, _LAST_SWEEPS, _NEARER * task.size, log)
     yield _finished(Step.SHAKEN, made, task)
 
@@ -112,7 +116,7 @@ def _joined(nodes: Floats, triangles: Ints, task: Task, log: Log) -> Generator[S
         yield None
         chosen = yield from matching(possible, possible.scores, np.zeros(len(triangles)))
         elements = joined_elements(possible, sorted(chosen))
-        made = draft(nodes, elements, task.given, task.rim_ideal)
+        made = draft(nodes, elements, task.given, task.rim_ideal, task.bound)
         log.begin(made, whole(Step.JOINED, nodes, elements))
         smoothing = []
         for states in relaxed(made, _SWEEPS, _NEAR * task.size, log):
@@ -146,4 +150,8 @@ def _cuts(possible: Pairs, chosen: list[int], spoilt: set[tuple[int, ...]]) -> I
 
 
 def _finished(step: Step, made: Draft, task: Task) -> States:
-    return whole(step, *finished(made, task.given), cost(made, task.unavoidable, task.squares, task.prefer))
+    return whole(step, *finished(made, task.given), _cost(made, task))
+
+
+def _cost(made: Draft, task: Task) -> float:
+    return cost(made, task.unavoidable, task.usual, task.prefer)

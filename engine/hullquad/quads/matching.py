@@ -129,6 +129,8 @@ def _better_way(
         if across[here, side] < 0 or near == mates[here] or visited[near]:
             continue
         gain = gains[depth] + weights[across[here, side]]
+        if gain <= _LEAST and not single:
+            continue  # from one of its triangles every circle that gains has gained at every step
         if near == mate:
             if gain > best:
                 best, length = gain, 2 * depth + 2

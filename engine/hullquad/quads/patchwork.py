@@ -33,7 +33,8 @@ class _Part:
     """(F, 2) free ones [mm]."""
     elements: Ints = attrs.field(converter=ints)
     """(E, 4) nodes of the cut plate that are given, and then the free ones."""
-    cost: float
+    energies: Floats = attrs.field(converter=floats)
+    """(E,)"""
     is_final: bool
     """Whether it is a grid without a poor element, beside which nothing else is tried."""
 
@@ -46,8 +47,8 @@ class Patchwork:
         around = contour.sides
         start, end = (around.nodes[around.ends] - around.nodes[0]).transpose(1, 0, 2)
         doubled = start[:, 0] * end[:, 1] - start[:, 1] * end[:, 0]
-        self._squares = 0.5 * np.bincount(around.regions, doubled) / task.size**2
-        self._odd = np.isin(np.arange(len(self._squares)), around.odd)
+        self._usual = 0.5 * np.bincount(around.regions, doubled) / task.size**2
+        self._odd = np.isin(np.arange(len(self._usual)), around.odd)
 
     @property
     def given(self) -> int:
@@ -57,7 +58,7 @@ class Patchwork:
     @property
     def cost(self) -> float:
         """Cost of the worst part."""
-        return max(part.cost for part in self._parts.values())
+        return max(self._cost(region) for region in self._parts)
 
     @property
     def is_whole(self) -> bool:
@@ -69,7 +70,7 @@ class Patchwork:
         """Regions that have no elements yet, or such as may be bettered."""
         good = self._task.least_cost + _NOTHING_LEFT
         parts = ((region, self._parts.get(region)) for region in range(len(self._odd)))
-        return [region for region, part in parts if part is None or not (part.is_final or part.cost < good)]
+        return [region for region, part in parts if part is None or not (part.is_final or self._cost(region) < good)]
 
     @property
     def avoidable(self) -> list[int]:
@@ -80,8 +81,13 @@ class Patchwork:
 
     def task(self, regions: list[int]) -> Task:
         """What is to be done with some regions."""
-        squares, odd = float(self._squares[regions].sum()), int(self._odd[regions].sum())
-        return attrs.evolve(self._task, squares=squares, unavoidable=odd)
+        usual, odd = float(self._usual[regions].sum()), int(self._odd[regions].sum())
+        return attrs.evolve(self._task, usual=usual, unavoidable=odd)
+
+    def expect(self, found: Triangulation) -> None:
+        """Take half of the triangles of each region for the number of elements that is usual there."""
+        _, triangles = self._cut.cut(found.nodes, found.triangles)
+        self._usual = 0.5 * np.bincount(self._cut.regions(triangles), minlength=len(self._odd))
 
     def offer(self, nodes: Floats, elements: Ints, *, are_grids: bool = False) -> bool:
         """Keep what is better of a mesh, or of a part of one; whether anything was."""
@@ -89,10 +95,10 @@ class Patchwork:
         values, any_better = element_energies(nodes.copy(), elements.astype(np.int64)), False
         for region in np.unique(regions).tolist():
             own = regions == region
-            cost = self._price(values[own], elements[own], region)
-            if region not in self._parts or cost < self._parts[region].cost:
+            price_here = self._price(values[own], elements[own], region)
+            if region not in self._parts or price_here < self._cost(region):
                 is_final = are_grids and bool(values[own].max() < POOR)
-                self._parts[region] = self._part(nodes, elements[own], cost, is_final=is_final)
+                self._parts[region] = self._part(nodes, elements[own], values[own], is_final=is_final)
                 any_better = True
         return any_better
 
@@ -117,16 +123,19 @@ class Patchwork:
         chosen = np.isin(self._cut.regions(triangles), regions)
         return nodes, triangles if chosen.all() else ints(triangles[chosen])
 
+    def _cost(self, region: int) -> float:
+        return self._price(self._parts[region].energies, self._parts[region].elements, region)
+
     def _price(self, values: Floats, elements: Ints, region: int) -> float:
-        return price(values, self._avoidable(elements, region), float(self._squares[region]), self._task.prefer)
+        return price(values, self._avoidable(elements, region), float(self._usual[region]), self._task.prefer)
 
     def _avoidable(self, elements: Ints, region: int) -> int:
         return max(0, int((elements[:, 3] < 0).sum()) - int(self._odd[region]))
 
-    def _part(self, nodes: Floats, elements: Ints, cost: float, *, is_final: bool) -> _Part:
+    def _part(self, nodes: Floats, elements: Ints, energies: Floats, *, is_final: bool) -> _Part:
         given = self._task.given
         used = np.unique(elements[elements >= given])
         numbers = np.arange(len(nodes) + 1)
         numbers[-1] = -1
         numbers[used] = given + np.arange(len(used))
-        return _Part(nodes=nodes[used], elements=numbers[elements], cost=cost, is_final=is_final)
+        return _Part(nodes=nodes[used], elements=numbers[elements], energies=energies, is_final=is_final)

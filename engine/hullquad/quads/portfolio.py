@@ -9,7 +9,7 @@ from collections.abc import Iterator
 import attrs
 import numpy as np
 
-from hullquad.arrays import Floats, floats
+from hullquad.arrays import Floats, Ints, Longs, floats, ints
 from hullquad.quads.insets import inset_points
 from hullquad.quads.making import Task, making, shaking
 from hullquad.quads.mapped import grids
@@ -103,6 +103,8 @@ def trials(contour: Contour, settings: MeshSettings, *, is_watched: bool) -> Ite
             continue
         yield None
         placed, settled = _triangulated(contour, candidate, guide, regions), work.apart_from(regions)
+        if number == 0:
+            work.expect(placed)
         for states in making(*work.within(regions, placed), work.task(regions), is_watched=is_watched):
             trial = _trial(work, states, settled, number, max(count, number + 1))
             if trial is not None and trial.is_best:
@@ -138,11 +140,19 @@ def _task(contour: Contour, settings: MeshSettings) -> Task:
     return Task(
         given=len(contour.cut.originals),
         rim_ideal=contour.sides.fitting,
+        bound=_both_ways(contour.cut.segments),
         size=contour.size,
-        squares=contour.area / contour.size**2,
+        usual=contour.area / contour.size**2,
         unavoidable=contour.triangles_unavoidable,
         prefer=settings.prefer,
     )
+
+
+def _both_ways(segments: Longs) -> Ints:
+    """(K, 2) edges that are segments of the cut plate either way."""
+    weights = [int(segments.max()) + 1, 1]
+    is_twice = np.isin(segments @ weights, segments[:, ::-1] @ weights)
+    return ints(segments[is_twice & (segments[:, 0] < segments[:, 1])])
 
 
 def _triangulated(contour: Contour, candidate: Candidate, guide: Field, regions: list[int]) -> Triangulation:

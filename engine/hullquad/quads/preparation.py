@@ -8,7 +8,7 @@ from hullquad.quads.making import Task, making
 from hullquad.quads.matching import improved
 from hullquad.quads.pairs import pairs
 from hullquad.quads.repair import repaired
-from hullquad.quads.shaking import shaken
+from hullquad.quads.shaking import Costs, shaken
 from hullquad.quads.trial import change, ground
 from hullquad.triangulation.field import Field
 from hullquad.triangulation.points import aligned_points
@@ -21,14 +21,21 @@ def prepare_kernels() -> None:
     nodes = np.concatenate([_RIM, [[1.0, 1.1]]])
     following = np.roll(np.arange(8), -1)
     triangles = np.stack([np.arange(8), following, np.full(8, 8)], axis=1).astype(np.int32)
-    task = Task(given=8, rim_ideal=np.array([1, 2] * 4), size=1.0, squares=4.0, unavoidable=0)
+    task = Task(
+        given=8,
+        rim_ideal=np.array([1, 2] * 4),
+        size=1.0,
+        bound=np.empty((0, 2), dtype=np.int32),
+        usual=4.0,
+        unavoidable=0,
+    )
     list(making(nodes, triangles, task, is_watched=False))
     possible = pairs(np.pad(nodes, ((0, 0), (0, 1))), triangles, np.array([[0.0, 0.0, 1.0]]))
     list(improved(possible, {0}, possible.scores, np.zeros(8)))
     made = draft(nodes, np.pad(triangles, ((0, 0), (0, 1)), constant_values=-1), 8, task.rim_ideal)
     silence = Log(is_watched=False)
     list(repaired(made, change(), ground(made), 0, silence))
-    list(shaken(made, change(), ground(made), 1, silence))
+    list(shaken(made, change(), ground(made), 1, Costs(lambda _: 0.0, lambda _: 0.0), silence))
     guide = Field(
         nodes=nodes,
         triangles=triangles,

@@ -60,6 +60,8 @@ class Ground(NamedTuple):
     """(64, 4) elements that went."""
     size: Longs
     """(1,) number of nodes in the region of the last trial."""
+    price: Floats
+    """(1,) what an element costs beside its energy."""
     search: Longs
     """(4, max(C, M)) room for what a search along edges or over elements has to remember."""
 
@@ -83,6 +85,7 @@ def ground(made: Draft) -> Ground:
         np.zeros(_MOST, dtype=np.int64),
         np.zeros((_MOST, 4), dtype=np.int64),
         np.zeros(1, dtype=np.int64),
+        np.array([ELEMENT]),
         np.zeros((4, max(len(made.nodes), len(made.elements))), dtype=np.int64),
     )
 
@@ -197,7 +200,7 @@ def _energy_around(made: Draft, floor: Ground, nodes: int) -> tuple[float, bool]
                 made.element_stamps[element] = stamp
                 energy = element_energy(made.nodes, made.elements, element)
                 valid = valid and energy < INVALID
-                total += energy + ELEMENT
+                total += energy + floor.price[0]
     return total, valid
 
 
