@@ -20,6 +20,8 @@ _spec = importlib.util.spec_from_file_location("corpus_plates", Path(__file__).w
 corpus = importlib.util.module_from_spec(_spec)
 _spec.loader.exec_module(corpus)
 
+HALVED = 655
+"""A line of one segment goes across this plate, between regions whose chords are halved."""
 TEMPLATE = next(iter(read_plates(Path(__file__).parents[2] / "assets/plates/hopper_partition.json").plates))
 SCALED_JACOBIAN = metric("scaled_jacobian")
 
@@ -30,6 +32,8 @@ def meshes(request):
     pipeline.prepare()
     asked, is_lined = request.config.getoption("--plates"), request.param == "lined"
     numbers = np.linspace(0, corpus.COUNT - 1, asked).astype(int)[5 if is_lined else 0 :: 10 if is_lined else 1]
+    if is_lined:
+        numbers = np.append(numbers, HALVED)
     contour = corpus.lined_contour if is_lined else corpus.plate_contour
     found = {int(number): contour(int(number), TEMPLATE) for number in numbers}
     return {number: (contour, pipeline.best_mesh(contour, "corpus")) for number, contour in found.items()}

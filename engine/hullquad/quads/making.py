@@ -109,7 +109,7 @@ def shaking(finished_one: States, task: Task, *, is_watched: bool) -> Making:
 def _joined(nodes: Floats, triangles: Ints, task: Task, log: Log) -> Generator[States | None, None, Draft]:
     """Draft of the pairing whose quads are all valid once they are smoothed."""
     points = np.pad(nodes, ((0, 0), (0, 1)))
-    forbidden = np.empty((0, 2), dtype=np.int32)
+    forbidden = task.bound
     for attempt in range(_ATTEMPTS + 1):
         held = task.given if attempt < _ATTEMPTS else None
         possible = pairs(points, triangles, _UP, forbidden, held)

@@ -183,8 +183,10 @@ def _delaunay(contour: Contour, points: Floats, area: float | None = None) -> Tr
 
 
 def _chord_middles(contour: Contour, found: Triangulation) -> Floats:
-    """(C, 2) middles of the edges that go across a region from one given node to another."""
+    """(C, 2) middles of the edges that go across a region from one given node to another, but for those of lines."""
     nodes, triangles = contour.cut.cut(found.nodes, found.triangles)
     sides, counts = edges(padded(triangles))
-    chords = sides[(counts == 2) & (sides < len(contour.cut.originals)).all(axis=1)]
+    weights = [len(nodes), 1]
+    is_line = np.isin(sides.astype(np.int64) @ weights, np.sort(contour.cut.segments, axis=1) @ weights)
+    chords = sides[(counts == 2) & (sides < len(contour.cut.originals)).all(axis=1) & ~is_line]
     return floats(nodes[chords].mean(axis=1))
