@@ -7,7 +7,7 @@ from PySide6.QtCore import QObject, Qt, QTimer
 
 _LEAST, _MOST = 1, 3
 """Rest after a piece: as long as it took, within these bounds [ms]."""
-_OTHERS = 0.002
+_OTHERS = 0.001
 """Computing time of other things during a rest, from which on the rest is begun again [s]."""
 _PATIENCE = 3
 """How often it is at most."""
