@@ -22,6 +22,8 @@ _spec.loader.exec_module(corpus)
 
 HALVED = 655
 """A line of one segment goes across this plate, between regions whose chords are halved."""
+NARROW = 1285
+"""Lines make such narrow triangles of this plate that quads there are dearer than triangles are elsewhere."""
 TEMPLATE = next(iter(read_plates(Path(__file__).parents[2] / "assets/plates/hopper_partition.json").plates))
 SCALED_JACOBIAN = metric("scaled_jacobian")
 
@@ -33,7 +35,7 @@ def meshes(request):
     asked, is_lined = request.config.getoption("--plates"), request.param == "lined"
     numbers = np.linspace(0, corpus.COUNT - 1, asked).astype(int)[5 if is_lined else 0 :: 10 if is_lined else 1]
     if is_lined:
-        numbers = np.append(numbers, HALVED)
+        numbers = np.append(numbers, [HALVED, NARROW])
     contour = corpus.lined_contour if is_lined else corpus.plate_contour
     found = {int(number): contour(int(number), TEMPLATE) for number in numbers}
     return {number: (contour, pipeline.best_mesh(contour, "corpus")) for number, contour in found.items()}

@@ -2,14 +2,14 @@
 
 The cost is the mean energy of the elements (`quads.energy`: 0 for a square), plus `WORST` times that of the worst one
 up to `MOST`, plus `NUMBER` times the number of elements over the usual number. A triangle that could have been avoided
-costs `TRIANGLE`.
+costs `TRIANGLE`, and an element that is not valid more than any number of them.
 """
 
 import numpy as np
 
 from hullquad.arrays import Floats
 from hullquad.quads.draft import Draft
-from hullquad.quads.energy import element_energies
+from hullquad.quads.energy import INVALID, element_energies
 from hullquad.quads.settings import Preference
 
 WORST = 0.03
@@ -17,8 +17,9 @@ MOST = 25.0
 NUMBER = 0.6
 POOR = 4.0
 """No element counts as worse where others are weighed against it."""
-TRIANGLE = 100.0
-"""More than anything else can cost."""
+TRIANGLE = INVALID
+"""More than anything else that is valid can cost: in strips of a tenth of an element the mean energy is in thousands.
+"""
 
 
 def cost(made: Draft, unavoidable: int, usual: float, prefer: Preference) -> float:
@@ -30,6 +31,8 @@ def cost(made: Draft, unavoidable: int, usual: float, prefer: Preference) -> flo
 def price(energies: Floats, avoidable: int, usual: float, prefer: Preference) -> float:
     """Cost of elements of these energies, among them so many triangles that could have been avoided."""
     worst, mean = min(float(energies.max()), MOST), float(energies.mean())
+    if energies.max() >= INVALID:
+        return INVALID * float(energies.max())
     if prefer is Preference.QUALITY:
         return worst + WORST * (mean + NUMBER * len(energies) / usual + avoidable / len(energies))
     return TRIANGLE * avoidable + mean + WORST * worst + NUMBER * len(energies) / usual
