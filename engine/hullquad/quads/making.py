@@ -21,6 +21,7 @@ from hullquad.quads.repair import repaired
 from hullquad.quads.settings import Preference
 from hullquad.quads.shaking import Costs, shaken
 from hullquad.quads.smoothing import relaxed
+from hullquad.quads.splitting import split
 from hullquad.quads.stages import States, Step, padded, whole
 from hullquad.quads.trial import change, ground
 
@@ -104,6 +105,20 @@ def shaking(finished_one: States, task: Task, *, is_watched: bool) -> Making:
     yield from shaken(made, change(), ground(made), times if times >= _FEWEST_SHAKES else 0, costs, log)
     yield from relaxed(made, _LAST_SWEEPS, _NEARER * task.size, log)
     yield _finished(Step.SHAKEN, made, task)
+
+
+def mending(finished_one: States, task: Task, *, is_watched: bool) -> Making:
+    """A finished mesh without the triangles that could be avoided, whatever elements that takes."""
+    (nodes, elements), log = finished_one.at(0, task.given), Log(is_watched=is_watched)
+    while int((elements[:, 3] < 0).sum()) > task.unavoidable and (fewer := split(nodes, elements, task.bound)):
+        nodes, elements = fewer
+        yield None
+    made = draft(nodes, elements, task.given, task.rim_ideal, task.bound)
+    log.begin(made, finished_one)
+    yield from relaxed(made, _SWEEPS, _NEAR * task.size, log)
+    yield from cleaned(made, change(), ground(made), _PASSES, log)
+    yield from relaxed(made, _LAST_SWEEPS, _NEARER * task.size, log)
+    yield _finished(Step.REPAIRED, made, task)
 
 
 def _joined(nodes: Floats, triangles: Ints, task: Task, log: Log) -> Generator[States | None, None, Draft]:

@@ -11,7 +11,7 @@ import numpy as np
 
 from hullquad.arrays import Floats, Ints, Longs, floats, ints
 from hullquad.quads.insets import inset_points
-from hullquad.quads.making import Task, making, shaking
+from hullquad.quads.making import Task, making, mending, shaking
 from hullquad.quads.mapped import grids
 from hullquad.quads.patchwork import Cutting, Patchwork
 from hullquad.quads.settings import MeshSettings
@@ -59,6 +59,15 @@ LAST_RESORTS = (Candidate(0.75, halves_chords=True), Candidate(0.75, inset=0.35)
 """Where triangles are left that could be avoided: in narrow parts there is no node then that could be moved."""
 
 
+@attrs.frozen(eq=False)
+class _Stuck:
+    """Where the candidates have left triangles that could be avoided."""
+
+    regions: list[int]
+    states: States
+    """Of these regions."""
+
+
 @attrs.frozen(eq=False, kw_only=True)
 class Trial:
     """States of one of the candidates, on the plate cut along followed lines."""
@@ -97,10 +106,13 @@ def trials(contour: Contour, settings: MeshSettings, *, is_watched: bool) -> Ite
     if not work.open:
         return
     guide, count, best = field(contour, settings.grading), 1, 0
+    stuck = None
     for number, candidate in enumerate((*CANDIDATES, *LAST_RESORTS)):
         regions = work.avoidable if candidate in LAST_RESORTS else work.open if number < count else []
         if not regions:
             continue
+        if candidate is LAST_RESORTS[0]:
+            stuck = _Stuck(regions, whole(Step.SMOOTHED, *work.together(regions)))
         yield None
         placed, settled = _triangulated(contour, candidate, guide, regions), work.apart_from(regions)
         if number == 0:
@@ -112,6 +124,7 @@ def trials(contour: Contour, settings: MeshSettings, *, is_watched: bool) -> Ite
             yield trial
             if number == 0 and states is not None and states.cost is not None:
                 count = max(1, min(len(CANDIDATES), _EFFORT // len(states.rows)))
+    yield from _mended(work, stuck, (best, max(count, best + 1)), is_watched=is_watched)
     if regions := work.open:
         start, settled = whole(Step.SMOOTHED, *work.together(regions)), work.apart_from(regions)
         for states in shaking(start, work.task(regions), is_watched=is_watched):
@@ -120,6 +133,16 @@ def trials(contour: Contour, settings: MeshSettings, *, is_watched: bool) -> Ite
                 yield _best(work, states.step, best, max(count, best + 1))
             else:
                 yield _trial(work, states, settled, best, max(count, best + 1))
+
+
+def _mended(
+    work: Patchwork, stuck: _Stuck | None, numbers: tuple[int, int], *, is_watched: bool
+) -> Iterator[Trial | None]:
+    """States of what the candidates have left, without its avoidable triangles; the last resorts may be better."""
+    if stuck is not None:
+        settled = work.apart_from(stuck.regions)
+        for states in mending(stuck.states, work.task(stuck.regions), is_watched=is_watched):
+            yield _trial(work, states, settled, *numbers)
 
 
 def _trial(work: Patchwork, states: States | None, settled: Cutting, number: int, count: int) -> Trial | None:
