@@ -20,10 +20,21 @@ _OF_A_PART: dict[str, Any] = {
     "no_cfunc_wrapper": True,
 }
 
+_UNCOUNTED: dict[str, Any] = {"_nrt": False}
+"""Without Numba's run time, which alone can make arrays, and drops them when nobody holds them any more."""
+
 
 def compiled(function: Callable[_Parameters, _Result]) -> Callable[_Parameters, _Result]:
     """The function as machine code, kept on disk; division by zero gives inf or nan as in IEEE 754, no exception."""
     return cast("Callable[_Parameters, _Result]", _jit(function))
+
+
+def uncounted(function: Callable[_Parameters, _Result]) -> Callable[_Parameters, _Result]:
+    """As `compiled`, for a kernel that makes no array: nothing counts who holds those that it gets.
+
+    Counting a structure of many arrays with every call costs as much as short parts do, and compiles slowly.
+    """
+    return cast("Callable[_Parameters, _Result]", _jit(function, **_UNCOUNTED))
 
 
 def inlined(function: Callable[_Parameters, _Result]) -> Callable[_Parameters, _Result]:
@@ -32,8 +43,11 @@ def inlined(function: Callable[_Parameters, _Result]) -> Callable[_Parameters, _
 
 
 def called(function: Callable[_Parameters, _Result]) -> Callable[_Parameters, _Result]:
-    """A part of kernels that several lines of them call: compiled once, and not kept by itself."""
-    return cast("Callable[_Parameters, _Result]", numba.njit(**_OF_A_PART)(function))
+    """A part of kernels that several lines of them call: compiled once, and not kept by itself.
+
+    It makes no array, see `uncounted`.
+    """
+    return cast("Callable[_Parameters, _Result]", numba.njit(**_OF_A_PART, **_UNCOUNTED)(function))
 
 
 def woven(function: Callable[_Parameters, _Result]) -> Callable[_Parameters, _Result]:
@@ -51,8 +65,8 @@ def plain(number: int) -> int:
     return cast("int", numpy.int64(number))
 
 
-def _jit(function: Callable[_Parameters, _Result]) -> object:
+def _jit(function: Callable[_Parameters, _Result], **options: Any) -> object:
     try:
-        return numba.njit(cache=True, nogil=True, error_model="numpy")(function)
+        return numba.njit(cache=True, nogil=True, error_model="numpy", **options)(function)
     except RuntimeError:  # no folder that the machine code could be kept in
-        return numba.njit(nogil=True, error_model="numpy")(function)
+        return numba.njit(nogil=True, error_model="numpy", **options)(function)

@@ -10,7 +10,7 @@ from itertools import pairwise
 import numpy as np
 
 from hullquad.arrays import Bools, Bytes, Longs
-from hullquad.metrics.compiled import called, compiled, woven
+from hullquad.metrics.compiled import called, uncounted, woven
 from hullquad.quads.draft import ONE, ZERO
 from hullquad.quads.front import Join
 from hullquad.quads.pairs import Pairs
@@ -142,7 +142,7 @@ def _search(
     return -1, seen
 
 
-@compiled
+@uncounted
 def _augmenting_path(
     root: int, partners: Longs, mates: Longs, alive: Bools, forest: Longs, kinds: Bytes, path: Longs
 ) -> int:

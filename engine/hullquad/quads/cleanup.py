@@ -6,7 +6,7 @@ from math import inf
 import numpy as np
 
 from hullquad.arrays import Longs
-from hullquad.metrics.compiled import compiled, woven
+from hullquad.metrics.compiled import uncounted, woven
 from hullquad.quads.changes import PROPOSALS, defect_change, propose
 from hullquad.quads.draft import NODES, NONE, Draft, corner_count
 from hullquad.quads.energy import element_energy
@@ -58,7 +58,7 @@ def cleaned(made: Draft, wish: Change, floor: Ground, passes: int, log: Log) -> 
         yield log.changed(Step.CLEANED, made, *touched(wish, floor)) if changes else None
 
 
-@compiled
+@uncounted
 def clean_up(
     made: Draft, wish: Change, floor: Ground, passes: int, due: Longs, at: Longs, changes: int, looks: int
 ) -> int:

@@ -181,6 +181,18 @@ def corner_of(elements: Longs, element: int, node: int) -> int:
 
 
 @called
+def nodes_beside(elements: Longs, element: int, node: int) -> tuple[int, int, int]:
+    """The other nodes of an element, counter-clockwise from one on; a triangle has its last one twice."""
+    is_second, is_third = elements[element, 1] == node, elements[element, 2] == node
+    if elements[element, 3] < 0:
+        after = 2 if is_second else (0 if is_third else 1)
+        last = 0 if is_second else (1 if is_third else 2)
+        return elements[element, after], elements[element, last], elements[element, last]
+    corner = 1 * is_second + 2 * is_third + 3 * (elements[element, 3] == node)
+    return elements[element, (corner + 1) & 3], elements[element, (corner + 2) & 3], elements[element, (corner + 3) & 3]
+
+
+@called
 def node_after(elements: Longs, element: int, node: int, steps: int) -> int:
     """The node so many places after one, counter-clockwise around an element."""
     corners = corner_count(elements, element)

@@ -10,7 +10,7 @@ from collections.abc import Generator
 import numpy as np
 
 from hullquad.arrays import Bools, Floats, Longs, longs
-from hullquad.metrics.compiled import called, compiled, woven
+from hullquad.metrics.compiled import called, uncounted, woven
 from hullquad.quads.augment import augment
 from hullquad.quads.front import front
 from hullquad.quads.pairs import Pairs
@@ -153,7 +153,7 @@ def _better_way(
     return length
 
 
-@compiled
+@uncounted
 def _improve(
     neighbours: Longs,
     across: Longs,

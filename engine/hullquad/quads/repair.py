@@ -5,7 +5,7 @@ from collections.abc import Generator, Iterator
 import numpy as np
 
 from hullquad.arrays import Longs
-from hullquad.metrics.compiled import compiled
+from hullquad.metrics.compiled import uncounted
 from hullquad.quads.draft import ONE, Draft
 from hullquad.quads.energy import element_energies
 from hullquad.quads.log import Log
@@ -75,7 +75,7 @@ def _opened(made: Draft, wish: Change, floor: Ground, one: int, other: int) -> G
     return is_open
 
 
-@compiled
+@uncounted
 def _go_on(made: Draft, wish: Change, floor: Ground, at: Longs, steps: int) -> int:
     """Let a triangle walk on towards another one; without steps the path between them is opened."""
     if steps > 0:
@@ -90,7 +90,7 @@ def _partners(made: Draft, floor: Ground, triangles: Longs) -> Longs:
     return found
 
 
-@compiled
+@uncounted
 def _find_partners(made: Draft, triangles: Longs, found: Longs, distances: Longs, queue: Longs) -> None:
     for i in range(len(triangles)):
         nearest = distances_to(made, triangles[i], distances, queue, ONE)

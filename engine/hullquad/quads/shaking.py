@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hullquad.arrays import Floats, Longs
-from hullquad.metrics.compiled import compiled
+from hullquad.metrics.compiled import uncounted
 from hullquad.quads.changes import PROPOSALS, propose
 from hullquad.quads.cleanup import cleaned
 from hullquad.quads.draft import ELEMENTS, Draft, compacted, corner_count
@@ -59,7 +59,7 @@ def shaken(made: Draft, wish: Change, floor: Ground, times: int, costs: Costs, l
     made.restore(saved)
 
 
-@compiled
+@uncounted
 def _change_at_random(made: Draft, wish: Change, floor: Ground, draws: Longs, leasts: Floats) -> None:
     """Try the changes that were drawn; each stays if it gains more than its least."""
     for number in range(len(draws)):

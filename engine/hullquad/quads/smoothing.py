@@ -10,14 +10,15 @@ from math import cos, inf, pi, sin, sqrt
 import numpy as np
 
 from hullquad.arrays import Floats, Longs
-from hullquad.metrics.compiled import called, compiled, woven
-from hullquad.quads.draft import NODES, Draft, corner_count, corner_of
+from hullquad.metrics.compiled import called, uncounted, woven
+from hullquad.quads.draft import NODES, Draft, nodes_beside
 from hullquad.quads.energy import FLAT, QUAD_SCALE, TRIANGLE_SCALE, corner_eta
 from hullquad.quads.log import Log
 from hullquad.quads.stages import States, Step
 
 _HALVINGS = 5
-_DIRECTIONS = 8
+_WAYS = np.array([[cos(0.25 * pi * i), sin(0.25 * pi * i)] for i in range(8)])
+"""Directions in which a node is tried, (8, 2)."""
 _TRIES = 12
 _VISITS = 50_000
 """Nodes that are moved before somebody may lose interest: some hundredths of a second."""
@@ -31,40 +32,40 @@ _NOWHERE = (inf, 0.0, 0.0, 0.0, 0.0, 0.0)
 
 
 @called
-def _term(
-    squares: float, sx: float, sy: float, curvature: float, jacobian: float, jx: float, jy: float, scale: float
-) -> Terms:
-    """Eta squared with its derivatives: `squares` has the gradient (sx, sy) and is curved alike in all directions."""
-    factor = 1.0 / (scale * jacobian)
+def _term(squares: float, sx: float, sy: float, curvature: float, jacobian: float, jx: float, jy: float) -> Terms:
+    """(squares / J)^2 with half its derivatives: `squares` has the gradient (sx, sy) and is curved alike everywhere."""
+    factor = 1.0 / jacobian
     eta = squares * factor
-    ex, ey = (sx - scale * eta * jx) * factor, (sy - scale * eta * jy) * factor
-    bend, twice = curvature * factor, 2.0 * scale * factor
+    ex, ey = (sx - eta * jx) * factor, (sy - eta * jy) * factor
+    bend, twice = curvature * factor, 2.0 * factor
+    xx = bend - twice * ex * jx
+    yy = bend - twice * ey * jy
+    xy = -factor * (ex * jy + ey * jx)
+    return eta * eta, eta * ex, eta * ey, eta * xx + ex * ex, eta * xy + ex * ey, eta * yy + ey * ey
+
+
+@called
+def _triangle_term(squares: float, sx: float, sy: float, jacobian: float, jx: float, jy: float) -> Terms:
+    """Eta squared of a triangle with half its derivatives."""
+    factor = 1.0 / (TRIANGLE_SCALE * jacobian)
+    eta = squares * factor
+    ex, ey = (sx - TRIANGLE_SCALE * eta * jx) * factor, (sy - TRIANGLE_SCALE * eta * jy) * factor
+    bend, twice = 4.0 * factor, 2.0 * TRIANGLE_SCALE * factor
     xx = bend - twice * ex * jx
     yy = bend - twice * ey * jy
     xy = -0.5 * twice * (ex * jy + ey * jx)
-    return (
-        eta * eta,
-        2.0 * eta * ex,
-        2.0 * eta * ey,
-        2.0 * (eta * xx + ex * ex),
-        2.0 * (eta * xy + ex * ey),
-        2.0 * (eta * yy + ey * ey),
-    )
+    return eta * eta, eta * ex, eta * ey, eta * xx + ex * ex, eta * xy + ex * ey, eta * yy + ey * ey
 
 
-@woven
-def _star_energy(made: Draft, node: int, x: float, y: float) -> float:
+@called
+def _star_energy(nodes: Floats, elements: Longs, near: Longs, node: int, x: float, y: float) -> float:
     """Energy of the elements around a node if it were at (x, y); infinite where one of them is not valid."""
-    total, nodes, elements = 0.0, made.nodes, made.elements
-    for place in range(made.counts[node]):
-        element = made.around[node, place]
-        corners = corner_count(elements, element)
-        corner = corner_of(elements, element, node)
-        b, c = elements[element, (corner + 1) % corners], elements[element, (corner + 2) % corners]
-        d = elements[element, (corner + corners - 1) % corners]
+    total = 0.0
+    for element in near:
+        b, c, d = nodes_beside(elements, element, node)
         bx, by, cx, cy, dx, dy = nodes[b, 0], nodes[b, 1], nodes[c, 0], nodes[c, 1], nodes[d, 0], nodes[d, 1]
         squares, jacobian = corner_eta(dx, dy, x, y, bx, by)
-        if corners == 3:
+        if c == d:
             squares += (cx - bx) ** 2 + (cy - by) ** 2
             if jacobian <= FLAT * squares:
                 return inf
@@ -80,89 +81,80 @@ def _star_energy(made: Draft, node: int, x: float, y: float) -> float:
 
 
 @called
-def _derivatives(made: Draft, node: int) -> Terms:
-    """Energy of the elements around a node where it is, with its derivatives; infinite where one is not valid."""
+def _derivatives(nodes: Floats, elements: Longs, near: Longs, node: int) -> Terms:
+    """Energy of the elements around a node where it is, with its derivatives; infinite where one is not valid.
+
+    The energy is 16 times, the derivatives are 8 times as much as they should be, which no rounding changes.
+    """
     f, gx, gy, xx, xy, yy = 0.0, 0.0, 0.0, 0.0, 0.0, 0.0
-    nodes, elements = made.nodes, made.elements
     x, y = nodes[node, 0], nodes[node, 1]
-    for place in range(made.counts[node]):
-        element = made.around[node, place]
-        corners = corner_count(elements, element)
-        corner = corner_of(elements, element, node)
-        b, c = elements[element, (corner + 1) % corners], elements[element, (corner + 2) % corners]
-        d = elements[element, (corner + corners - 1) % corners]
+    for element in near:
+        b, c, d = nodes_beside(elements, element, node)
         bx, by, cx, cy, dx, dy = nodes[b, 0], nodes[b, 1], nodes[c, 0], nodes[c, 1], nodes[d, 0], nodes[d, 1]
         squares, jacobian = corner_eta(dx, dy, x, y, bx, by)
         sx, sy = -2.0 * (bx - x + dx - x), -2.0 * (by - y + dy - y)
-        scale, weight = QUAD_SCALE, 0.25
-        if corners == 3:
+        if c == d:
             squares += (cx - bx) ** 2 + (cy - by) ** 2
-            scale, weight = TRIANGLE_SCALE, 1.0
-        if jacobian <= FLAT * squares:
-            return _NOWHERE
-        t = _term(squares, sx, sy, 4.0, jacobian, by - dy, dx - bx, scale)
-        f, gx, gy = f + weight * t[0], gx + weight * t[1], gy + weight * t[2]
-        xx, xy, yy = xx + weight * t[3], xy + weight * t[4], yy + weight * t[5]
-        if corners == 3:
+            if jacobian <= FLAT * squares:
+                return _NOWHERE
+            t = _triangle_term(squares, sx, sy, jacobian, by - dy, dx - bx)
+            f, gx, gy = f + 16.0 * t[0], gx + 16.0 * t[1], gy + 16.0 * t[2]
+            xx, xy, yy = xx + 16.0 * t[3], xy + 16.0 * t[4], yy + 16.0 * t[5]
             continue
-        squares, jacobian = corner_eta(x, y, bx, by, cx, cy)
-        if jacobian <= FLAT * squares:
+        after, jacobian_after = corner_eta(x, y, bx, by, cx, cy)
+        before, jacobian_before = corner_eta(cx, cy, dx, dy, x, y)
+        if jacobian <= FLAT * squares or jacobian_after <= FLAT * after or jacobian_before <= FLAT * before:
             return _NOWHERE
-        t = _term(squares, 2.0 * (x - bx), 2.0 * (y - by), 2.0, jacobian, by - cy, cx - bx, scale)
-        f, gx, gy = f + weight * t[0], gx + weight * t[1], gy + weight * t[2]
-        xx, xy, yy = xx + weight * t[3], xy + weight * t[4], yy + weight * t[5]
-        squares, jacobian = corner_eta(cx, cy, dx, dy, x, y)
-        if jacobian <= FLAT * squares:
-            return _NOWHERE
-        t = _term(squares, 2.0 * (x - dx), 2.0 * (y - dy), 2.0, jacobian, cy - dy, dx - cx, scale)
-        f, gx, gy = f + weight * t[0], gx + weight * t[1], gy + weight * t[2]
-        xx, xy, yy = xx + weight * t[3], xy + weight * t[4], yy + weight * t[5]
+        t = _term(squares, sx, sy, 4.0, jacobian, by - dy, dx - bx)
+        f, gx, gy, xx, xy, yy = f + t[0], gx + t[1], gy + t[2], xx + t[3], xy + t[4], yy + t[5]
+        t = _term(after, 2.0 * (x - bx), 2.0 * (y - by), 2.0, jacobian_after, by - cy, cx - bx)
+        f, gx, gy, xx, xy, yy = f + t[0], gx + t[1], gy + t[2], xx + t[3], xy + t[4], yy + t[5]
+        t = _term(before, 2.0 * (x - dx), 2.0 * (y - dy), 2.0, jacobian_before, cy - dy, dx - cx)
+        f, gx, gy, xx, xy, yy = f + t[0], gx + t[1], gy + t[2], xx + t[3], xy + t[4], yy + t[5]
     return f, gx, gy, xx, xy, yy
 
 
 @called
-def _worst_corner(made: Draft, node: int, x: float, y: float) -> float:
-    """Least J over squared edges of the corners that move with a node, if it were at (x, y)."""
-    least, nodes, elements = 1.0, made.nodes, made.elements
-    for place in range(made.counts[node]):
-        element = made.around[node, place]
-        corners = corner_count(elements, element)
-        corner = corner_of(elements, element, node)
-        b, c = elements[element, (corner + 1) % corners], elements[element, (corner + 2) % corners]
-        d = elements[element, (corner + corners - 1) % corners]
+def _worst_corner(nodes: Floats, elements: Longs, near: Longs, node: int, x: float, y: float, enough: float) -> float:
+    """Least J over squared edges of the corners that move with a node, if it were at (x, y).
+
+    Once it is no more than `enough`, it may be anything that is not more.
+    """
+    least = 1.0
+    for element in near:
+        b, c, d = nodes_beside(elements, element, node)
         bx, by, cx, cy, dx, dy = nodes[b, 0], nodes[b, 1], nodes[c, 0], nodes[c, 1], nodes[d, 0], nodes[d, 1]
         squares, jacobian = corner_eta(dx, dy, x, y, bx, by)
         least = min(least, jacobian / max(squares, 1e-300))
-        if corners == 4:
+        if c != d:
             squares, jacobian = corner_eta(x, y, bx, by, cx, cy)
             least = min(least, jacobian / max(squares, 1e-300))
             squares, jacobian = corner_eta(cx, cy, dx, dy, x, y)
             least = min(least, jacobian / max(squares, 1e-300))
+        if least <= enough:
+            break
     return least
 
 
-@woven
-def _untangle(made: Draft, node: int) -> float:
+@called
+def _untangle(nodes: Floats, elements: Longs, near: Longs, node: int) -> float:
     """Move a node to where the worst corner around it is best, by a search in eight directions; how far it went."""
-    nodes, elements = made.nodes, made.elements
     start_x, start_y, mean_x, mean_y, reach = nodes[node, 0], nodes[node, 1], 0.0, 0.0, 0.0
-    count = made.counts[node]
-    for place in range(count):
-        element = made.around[node, place]
-        after = elements[element, (corner_of(elements, element, node) + 1) % corner_count(elements, element)]
+    count = len(near)
+    for element in near:
+        after, _, _ = nodes_beside(elements, element, node)
         mean_x, mean_y = mean_x + nodes[after, 0] / count, mean_y + nodes[after, 1] / count
         reach += sqrt((nodes[after, 0] - start_x) ** 2 + (nodes[after, 1] - start_y) ** 2) / count
-    x, y, best = start_x, start_y, _worst_corner(made, node, start_x, start_y)
-    value = _worst_corner(made, node, mean_x, mean_y)
+    x, y, best = start_x, start_y, _worst_corner(nodes, elements, near, node, start_x, start_y, -inf)
+    value = _worst_corner(nodes, elements, near, node, mean_x, mean_y, best)
     if value > best:
         x, y, best = mean_x, mean_y, value
     step = 0.5 * reach
     for _ in range(_TRIES):
         from_x, from_y = x, y
-        for direction in range(_DIRECTIONS):
-            angle = 2.0 * pi * direction / _DIRECTIONS
-            to_x, to_y = from_x + step * cos(angle), from_y + step * sin(angle)
-            value = _worst_corner(made, node, to_x, to_y)
+        for direction in range(len(_WAYS)):
+            to_x, to_y = from_x + step * _WAYS[direction, 0], from_y + step * _WAYS[direction, 1]
+            value = _worst_corner(nodes, elements, near, node, to_x, to_y, best)
             if value > best:
                 x, y, best = to_x, to_y, value
         if x == from_x and y == from_y:
@@ -172,26 +164,32 @@ def _untangle(made: Draft, node: int) -> float:
 
 
 @called
-def relax_node(made: Draft, node: int) -> float:
-    """Move a free node to where the energy around it is less; how far it went [mm]."""
-    x, y = made.nodes[node, 0], made.nodes[node, 1]
-    energy, gx, gy, xx, xy, yy = _derivatives(made, node)
+def _relax_node(nodes: Floats, elements: Longs, near: Longs, node: int) -> float:
+    """Move a free node to where the energy of the elements around it is less; how far it went [mm]."""
+    moved = 0.0
+    energy, gx, gy, xx, xy, yy = _derivatives(nodes, elements, near, node)
     if energy == inf:
-        moved = _untangle(made, node)
-        x, y = made.nodes[node, 0], made.nodes[node, 1]
-        energy, gx, gy, xx, xy, yy = _derivatives(made, node)
+        moved = _untangle(nodes, elements, near, node)
+        energy, gx, gy, xx, xy, yy = _derivatives(nodes, elements, near, node)
         if energy == inf:
             return moved
+    x, y, energy = nodes[node, 0], nodes[node, 1], energy / 16.0
     determinant = xx * yy - xy * xy
     if determinant <= 0.0:
         return 0.0
     step_x, step_y = -(yy * gx - xy * gy) / determinant, -(xx * gy - xy * gx) / determinant
     for _ in range(_HALVINGS):
-        if _star_energy(made, node, x + step_x, y + step_y) < energy:
-            made.nodes[node, 0], made.nodes[node, 1] = x + step_x, y + step_y
+        if _star_energy(nodes, elements, near, node, x + step_x, y + step_y) < energy:
+            nodes[node, 0], nodes[node, 1] = x + step_x, y + step_y
             return sqrt(step_x * step_x + step_y * step_y)
         step_x, step_y = 0.5 * step_x, 0.5 * step_y
     return 0.0
+
+
+@called
+def relax_node(made: Draft, node: int) -> float:
+    """Move a free node to where the energy around it is less; how far it went [mm]."""
+    return _relax_node(made.nodes, made.elements, made.around[node, : made.counts[node]], node)
 
 
 @woven
@@ -221,7 +219,7 @@ def relaxed(made: Draft, sweeps: int, tolerance: float, log: Log) -> Iterator[St
             stop *= 2
 
 
-@compiled
+@uncounted
 def _relax_on(made: Draft, sweeps: int, tolerance: float, at: Floats, visits: int) -> bool:
     """Go on moving all free nodes from where one is, which is kept in `at`; whether so many sweeps are done."""
     count = made.tallies[NODES]

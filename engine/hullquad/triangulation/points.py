@@ -11,7 +11,7 @@ from math import atan2, cos, floor, hypot, inf, pi, sin
 import numpy as np
 
 from hullquad.arrays import Floats, Longs, floats, longs
-from hullquad.metrics.compiled import called, compiled, woven
+from hullquad.metrics.compiled import called, uncounted, woven
 from hullquad.triangulation.field import Field
 from hullquad.triangulation.sizes import MOST_ELEMENTS
 
@@ -189,7 +189,7 @@ def _is_clear(
     return True
 
 
-@compiled
+@uncounted
 def _place(
     nodes: Floats,
     given: int,
