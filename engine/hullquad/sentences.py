@@ -236,10 +236,11 @@ SENTENCES: dict[str, str] = {
     "W_CORNER": "the corner at ({u:.7g}, {v:.7g}) has only {angle:.3g} degrees; no mesh is good there: cut the tip off",
     "W_CORNER:failing": "the corner at ({u:.7g}, {v:.7g}) has only {angle:.3g} degrees: the scaled Jacobian of a quad "
     "there is at most {best:.2f}, which fails, however the plate is meshed; cut the tip off",
-    "W_SHORT_EDGE": "the edge is {length:.4g} mm long, less than a fifth of the element size ({size:g} mm), as are "
-    "{count} of this loop; the elements there will be small: choose {helping:.4g} mm or less, or move the vertex",
+    "W_SHORT_EDGE": "the edge is {length:.4g} mm long, less than a fifth of the element size ({size:g} mm), edges so "
+    "short in this loop: {count}; the elements there will be small: choose {helping:.4g} mm or less, or move the "
+    "vertex",
     "W_SMALL_HOLE": "the hole is {width:.4g} mm wide, less than the element size ({size:g} mm); the elements around it "
-    "will be small: leave it out, or choose a smaller size",
+    "will be small: leave it out, or choose {helping:.4g} mm or less",
     "W_ODD": "odd number of contour edges: {count} with segments of {size:g} mm; one triangle is unavoidable, one node "
     "more or fewer on an edge makes it none",
     "W_ODD:edge": "odd number of contour edges: {count} with segments of {size:g} mm; one triangle is unavoidable, one "
@@ -277,6 +278,8 @@ SENTENCES: dict[str, str] = {
     "W_LIGAMENT:contour": "the strip of {width:.3g} mm between the hole and the outer contour at ({u:.7g}, {v:.7g}) is "
     "too narrow for elements of {size:g} mm; choose {helping:.4g} mm or less, or larger numbers of divisions there",
     "W_LIGAMENT:hole": "the strip of {width:.3g} mm to hole {hole} at ({u:.7g}, {v:.7g}) is too narrow for elements of "
+    "{size:g} mm; choose {helping:.4g} mm or less, or larger numbers of divisions there",
+    "W_LIGAMENT:neck": "at ({u:.7g}, {v:.7g}) the plate is only {width:.3g} mm wide, too narrow for elements of "
     "{size:g} mm; choose {helping:.4g} mm or less, or larger numbers of divisions there",
     "W_SNAP:neighbour": "the node was moved by {distance:.2g} mm to ({u:.7g}, {v:.7g}), where plate {neighbour} has "
     "it; correct the one or the other if that is not meant",

@@ -259,12 +259,67 @@ def test_strips_too_narrow_for_any_element_are_told_with_a_size_that_helps(width
     outer = straight([(0, 0), (2000, 0), (2000, top), (0, top)])
     described = plate(outer=outer, holes=[square, other] if beside_hole else [square])
     found = [notice for notice in size_concerns(described, size) if notice.code == "W_LIGAMENT"]
-    assert [notice.case for notice in found] == (["hole" if beside_hole else "contour"] if width <= 0.2 * size else [])
+    assert [notice.case for notice in found] == (
+        ["hole" if beside_hole else "contour"] if width < 0.2 * size * (1 - 1e-9) else []
+    )
     for notice in found:
         assert notice.numbers["width"] == pytest.approx(width)
         helping = notice.numbers["helping"]
-        assert not [n for n in size_concerns(described, 0.999 * helping) if n.code == "W_LIGAMENT"]
         assert f"choose {helping:.4g} mm or less" in notice.text
+        assert not [n for n in size_concerns(described, float(f"{helping:.4g}")) if n.code == "W_LIGAMENT"]
+
+
+@given(st.floats(1.5, 300), st.sampled_from([0.2, 1.0]))
+@settings(max_examples=40, deadline=None)
+def test_a_size_that_is_told_to_help_does(length, part):
+    """Of short edges and small holes; the length is a part of the size from which they are none."""
+    small = straight([(1000, 400), (1000, 400 + length), (1000 + length, 400 + length), (1000 + length, 400)])
+    described = plate(holes=[small])
+    code = {0.2: "W_SHORT_EDGE", 1.0: "W_SMALL_HOLE"}[part]
+    (notice,) = [notice for notice in size_concerns(described, 2 * length / part) if notice.code == code]
+    helping = notice.numbers["helping"]
+    assert f"choose {helping:.4g} mm or less" in notice.text
+    assert helping > 0.98 * length / part
+    assert not [n for n in size_concerns(described, float(f"{helping:.4g}")) if n.code == code]
+
+
+def notched(width):
+    """A plate 2000 wide, cut from above so that only a neck is left."""
+    corners = [(0, 0), (2000, 0), (2000, 1000), (1100, 1000), (1100, width), (900, width), (900, 1000), (0, 1000)]
+    return plate(outer=straight(corners))
+
+
+@given(st.floats(1.5, 90), st.floats(50, 1000))
+@settings(max_examples=40, deadline=None)
+def test_a_neck_of_the_contour_itself_is_told_like_a_strip_beside_a_hole(width, size):
+    found = [notice for notice in size_concerns(notched(width), size) if notice.code == "W_LIGAMENT"]
+    assert [notice.case for notice in found] == (["neck"] if width < 0.2 * size * (1 - 1e-9) else [])
+    for notice in found:
+        assert notice.place == "/plates/0/outer/0"
+        assert notice.numbers["width"] == pytest.approx(width)
+        helping = notice.numbers["helping"]
+        assert f"choose {helping:.4g} mm or less" in notice.text
+        assert not [n for n in size_concerns(notched(width), float(f"{helping:.4g}")) if n.code == "W_LIGAMENT"]
+
+
+def test_a_tongue_between_two_ends_of_a_hole_is_a_neck():
+    ring = [(500, 200), (900, 200), (900, 600), (710, 600), (710, 500), (800, 500), (800, 300), (600, 300)]
+    described = plate(holes=[straight([*ring, (600, 500), (690, 500), (690, 600), (500, 600)])])
+    (notice,) = [notice for notice in size_concerns(described, 200.0) if notice.code == "W_LIGAMENT"]
+    assert (notice.case, notice.numbers["width"]) == ("neck", pytest.approx(20))
+
+
+@pytest.mark.parametrize(
+    "outer",
+    [
+        [(0, 0), (2000, 0), (2000, 2), (0, 2)],
+        [(0, 0), (50, 0), (1000, 0), (1000, 1000)],
+        [(0, 0), (1000, 0), (1000, 500), (15, 40), (0, 25)],
+    ],
+    ids=["strip", "corner", "nose"],
+)
+def test_what_only_runs_out_narrow_is_no_neck(outer):
+    assert not [notice for notice in size_concerns(plate(outer=straight(outer)), 200.0) if notice.case == "neck"]
 
 
 def test_a_size_larger_than_the_plate_is_told_with_the_plates_own():

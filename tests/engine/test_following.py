@@ -278,6 +278,14 @@ def test_lines_that_force_poor_elements_are_told_of(lines, code):
     assert notice.text
 
 
+@given(st.floats(2.0, 19.9))
+@settings(max_examples=20, deadline=None)
+def test_a_size_that_is_told_to_help_beside_lines_does(width):
+    lines = ((0, width), (2000, width))
+    helping = told(lines, size=100.0)["W_LINE_NEAR"].numbers["helping"]
+    assert "W_LINE_NEAR" not in told(lines, size=float(f"{helping:.4g}"))
+
+
 def test_usual_lines_are_no_concern():
     lines = [((x, 0), (x, 1000)) for x in (300, 600, 1500)] + [((0, 500), (600, 500)), ((1500, 200), (1900, 200))]
     assert not [code for code in told(*lines, holes=[HOLE]) if "LINE" in code]

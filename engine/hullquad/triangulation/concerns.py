@@ -10,8 +10,10 @@ from hullquad.plate import JOIN, Document, Loop, Notice, Plate
 from hullquad.triangulation.contour import Contour
 from hullquad.triangulation.gaps import gaps
 from hullquad.triangulation.line_concerns import line_concerns
+from hullquad.triangulation.necks import necks
 from hullquad.triangulation.neighbours import neighbours
 from hullquad.triangulation.remedies import edge_place, remedy
+from hullquad.triangulation.sizes import rounded_down
 
 _DECIMALS = 1e-3
 """Coordinates in fewer decimals are not exact; a move of so little is none [mm]."""
@@ -19,6 +21,8 @@ _SHORT = 0.2
 _NEAR = 0.1
 _NARROW = 0.2
 """Parts of the element size."""
+_ROUNDING = 1e-9
+"""Relative; what is just as long as it must be is not too short."""
 
 
 def concerns_of(document: Document, size: float | str | None, contour: Contour) -> Iterator[Notice]:
@@ -54,7 +58,8 @@ def size_concerns(plate: Plate, size: float) -> Iterator[Notice]:
     for hole, outline in zip(plate.holes, plate.outlines[1:], strict=True):
         width = float(np.ptp(outline, axis=0).max())
         if width < size - 2 * plate.chord_error:
-            yield Notice("W_SMALL_HOLE", hole.place, "", {"width": width, "size": size})
+            numbers = {"width": width, "size": size, "helping": rounded_down(width)}
+            yield Notice("W_SMALL_HOLE", hole.place, "", numbers)
 
 
 def gap_concerns(document: Document) -> Iterator[Notice]:
@@ -93,24 +98,32 @@ def _near_contour(contour: Contour) -> Iterator[Notice]:
 
 
 def _ligaments(plate: Plate, size: float) -> Iterator[Notice]:
-    """Strips beside holes that are too narrow for elements of the size."""
+    """Strips beside holes, and necks, that are too narrow for elements of the size."""
+    least = _NARROW * size * (1 - _ROUNDING)
+    for neck in necks(plate, least):
+        u, v = neck.point
+        helping = rounded_down(neck.width / _NARROW)
+        yield Notice(
+            "W_LIGAMENT", neck.place, "neck", {"width": neck.width, "size": size, "helping": helping, "u": u, "v": v}
+        )
     rim = shapely.linearrings(plate.outlines[0])
     rings = np.array([rim, *(shapely.linearrings(ring) for ring in plate.outlines[1:])])
     tree = shapely.STRtree(rings)
-    near = tree.query(rings, predicate="dwithin", distance=_NARROW * size).T
+    near = tree.query(rings, predicate="dwithin", distance=least).T
     for other, hole in sorted((min(pair), max(pair)) for pair in map(tuple, near.tolist()) if pair[0] < pair[1]):
         width = float(shapely.distance(rings[hole], rings[other]))
         u, v = shapely.get_coordinates(shapely.shortest_line(rings[hole], rings[other]))[0]
-        numbers = {"width": width, "size": size, "helping": width / _NARROW, "hole": other - 1, "u": u, "v": v}
+        numbers = {"width": width, "size": size, "helping": rounded_down(width / _NARROW)}
+        numbers |= {"hole": other - 1, "u": u, "v": v}
         yield Notice("W_LIGAMENT", plate.holes[hole - 1].place, "hole" if other else "contour", numbers)
 
 
 def _short_edges(loop: Loop, size: float) -> Iterator[Notice]:
     """One warning per loop: the shortest edge, and how many there are."""
     lengths = np.array([curve.length for curve in loop.curves])
-    count = int((lengths < _SHORT * size).sum())
+    count = int((lengths < _SHORT * size * (1 - _ROUNDING)).sum())
     if count:
         shortest = int(np.lexsort((loop.edges, lengths))[0])
         length = float(lengths[shortest])
-        numbers = {"length": length, "size": size, "helping": length / _SHORT, "count": count}
+        numbers = {"length": length, "size": size, "helping": rounded_down(length / _SHORT), "count": count}
         yield Notice("W_SHORT_EDGE", loop.edge_place(shortest), "", numbers)

@@ -14,7 +14,7 @@ from hullquad.triangulation.divided import Contour
 from hullquad.triangulation.following import Plan, followed, plan
 from hullquad.triangulation.given_nodes import given_nodes
 from hullquad.triangulation.neighbours import Neighbours, neighbours
-from hullquad.triangulation.sizes import MOST_ELEMENTS, element_size, elements_needed, refuse_size
+from hullquad.triangulation.sizes import MOST_ELEMENTS, element_size, elements_needed, refuse_size, rounded_down
 
 __all__ = ["MOST_ELEMENTS", "Contour", "attempts", "contours", "element_size", "elements_needed", "refuse_size"]
 
@@ -136,12 +136,6 @@ def _too_coarse(shared: Neighbours, plate: int, sizes: Sequence[float], flaw: tu
         return PlateError("E_COARSE", place, "always", u=u, v=v, size=size)
     refused = min(2 * helping, size)
     for _ in range(_HALVINGS):
-        middle = _rounded_down((helping + refused) / 2)
+        middle = rounded_down((helping + refused) / 2)
         helping, refused = (middle, refused) if middle > helping and helps(middle) else (helping, middle)
     return PlateError("E_COARSE", place, u=u, v=v, size=size, helping=helping)
-
-
-def _rounded_down(size: float) -> float:
-    """A size in three digits, not above."""
-    digit = 10.0 ** (np.floor(np.log10(size)) - 2)
-    return float(np.floor(size / digit) * digit)

@@ -10,9 +10,12 @@ from hullquad.plate import Notice
 from hullquad.surface import Plane
 from hullquad.triangulation.divided import Contour, Followed
 from hullquad.triangulation.following import NEAREST, PROBES
+from hullquad.triangulation.sizes import rounded_down
 
 _NARROW = 0.2
 """Part of the element size below which a strip is too narrow for elements, and a piece too short."""
+_ROUNDING = 1e-9
+"""Relative; what is just as wide as it must be is not too narrow."""
 _AWAY = 2.0
 """A strip goes on for so many times its width, also past the ends of a piece: what only meets it is nearer to them."""
 _FAILING = np.radians(29.999)
@@ -58,12 +61,13 @@ def _left_out(own: Followed, ends: Floats, size: float) -> Iterator[Notice]:
 def _narrow(contour: Contour, own: Followed, ends: Floats) -> Iterator[Notice]:
     """Strips between a line and the contour, or another line, that are too narrow for elements."""
     size = contour.size
+    least = _NARROW * size * (1 - _ROUNDING)
     pieces, segments = shapely.linestrings(ends), shapely.linestrings(contour.nodes[contour.segments])
     others = np.concatenate([pieces, segments])
     probes = ends[:, :1] + PROBES[:, None] * (ends[:, 1:] - ends[:, :1])
     probed = np.concatenate([pieces, shapely.points(probes.reshape(-1, 2))])
     owners = np.concatenate([np.arange(len(pieces)), np.repeat(np.arange(len(pieces)), len(PROBES))])
-    probe, other = shapely.STRtree(others).query(probed, predicate="dwithin", distance=_NARROW * size)
+    probe, other = shapely.STRtree(others).query(probed, predicate="dwithin", distance=least)
     piece = owners[probe]
     gaps = shapely.get_coordinates(shapely.shortest_line(probed[probe], others[other])).reshape(-1, 2, 2)
     widths = np.hypot(*(gaps[:, 1] - gaps[:, 0]).T)
@@ -73,7 +77,8 @@ def _narrow(contour: Contour, own: Followed, ends: Floats) -> Iterator[Notice]:
     for i, count in _worst(own, piece, widths):
         (u, v), width = gaps[i, 0].tolist(), float(widths[i])
         case = "contour" if other[i] >= len(pieces) else "line"
-        numbers = {"u": u, "v": v, "width": width, "size": size, "helping": width / _NARROW, "count": count}
+        numbers = {"u": u, "v": v, "width": width, "size": size, "helping": rounded_down(width / _NARROW)}
+        numbers["count"] = count
         yield Notice("W_LINE_NEAR", own.places[piece[i]], case, numbers)
 
 

@@ -9,6 +9,8 @@ MOST_ELEMENTS = 5_000_000
 """Per plate."""
 _LARGEST_SIZE = 1e9
 """Elements as large as the largest coordinate are longer than any plate; squares of the size do not overflow [mm]."""
+_ROUNDING = 1e-9
+"""Relative; the last digits must not make 49.9 of 50."""
 
 
 def element_size(plate: Plate, size: float | str | None) -> float:
@@ -66,3 +68,9 @@ def _rounded_up(size: float) -> float:
     """A size in three digits, not below."""
     digit = 10.0 ** (np.floor(np.log10(size)) - 2)
     return float(np.ceil(size / digit) * digit)
+
+
+def rounded_down(size: float) -> float:
+    """A size in three digits, not above: what is quoted of it, and asked for then, helps too."""
+    digit = 10.0 ** (np.floor(np.log10(size)) - 2)
+    return float(np.floor(size / digit * (1 + _ROUNDING)) * digit)
