@@ -146,6 +146,8 @@ class Docks(QObject):
         before, self._shown = self._shown, scene
         for dock in self._docks.values():
             dock.show_scene(scene)
+        if scene.state.plates is not None and scene.state.plates is not before.state.plates:
+            self._meshing.wake()  # has the contours divided, whose nodes the view draws
         if scene.view.rules is not before.view.rules:
             (self._worst if scene.view.rules is None else self._rules).raise_()
         if scene.state.keys != before.state.keys:

@@ -61,6 +61,10 @@ class PanelDock(QDockWidget, Generic[Shown]):
         if self._is_seen:
             self._caught_up()
 
+    def wake(self) -> None:
+        """Have the newest scene on the panel, though nobody may see it: others wait for what it asks for."""
+        self._caught_up()
+
     def set_palette(self, palette: Palette, chosen: ColourMap) -> None:
         """Take the colours of a theme, and the map by which elements are coloured."""
         self._palette, self._map = palette, chosen

@@ -217,6 +217,7 @@ class MainWindow(QMainWindow):
         session.document.changed.connect(self.show_scene)
         session.message.connect(self.say)
         session.saved.connect(self._show_title)
+        session.divided.connect(self.canvas.show_division)
         session.busy.connect(lambda text, done, total: self.status.say_activity(_progress(text, done, total)))
         session.idle.connect(lambda: self.status.say_activity(""))
         session.able.connect(self.actions_by_name.show_abilities)

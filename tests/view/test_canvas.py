@@ -1,6 +1,7 @@
 """The view, by its arrays, its camera and what it says when it is used."""
 
 import gc
+from pathlib import Path
 
 import attrs
 import numpy as np
@@ -15,8 +16,10 @@ from hullquad.metrics import metric
 from hullquad.topology import edges
 from hullquad_app.canvas import Canvas
 from hullquad_app.colours import DARK, LIGHT, PASS_FAIL, element_colours, rgb
+from hullquad_app.division import division
 from hullquad_app.scene import State
 
+PLATES = Path(__file__).parents[2] / "assets" / "plates"
 LEFT, MIDDLE = Qt.MouseButton.LeftButton, Qt.MouseButton.MiddleButton
 NONE, SHIFT = Qt.KeyboardModifier.NoModifier, Qt.KeyboardModifier.ShiftModifier
 
@@ -121,6 +124,8 @@ def test_the_contour_is_what_has_one_element(canvas, give, coarse):
 
 def test_a_plate_without_a_mesh_is_shown_by_its_outline_and_contour_nodes(canvas, document, give, coarse):
     plate = document.scene.plate
+    assert not is_visible(canvas, "nodes")
+    canvas.show_division(division(document.scene.state.plates, None))
     assert shown(canvas, "outline").n_lines == sum(map(len, plate.outlines))
     assert shown(canvas, "nodes").n_points > 10
     give(coarse)
@@ -130,6 +135,26 @@ def test_a_plate_without_a_mesh_is_shown_by_its_outline_and_contour_nodes(canvas
     assert is_visible(canvas, "outline")
     assert not is_visible(canvas, "elements")
     assert not is_visible(canvas, "contour")
+
+
+@pytest.mark.parametrize("size", ["fine", 313.0])
+def test_the_nodes_drawn_are_those_of_the_size_that_is_chosen(canvas, document, size):
+    found = division(document.scene.state.plates, size)
+    canvas.show_division(found)
+    points = found.contours["hopper_partition"].points
+    assert shown(canvas, "nodes").n_points == len(points)
+    np.testing.assert_allclose(np.asarray(shown(canvas, "nodes").points), points, atol=1e-2)
+
+
+def test_no_nodes_of_another_document_are_drawn(canvas, document):
+    other = read_plates(PLATES / "hopper_partition.json")
+    canvas.show_division(division(other, None))
+    assert not is_visible(canvas, "nodes")
+
+
+def test_stiffeners_are_drawn_before_the_contour_is_divided(canvas, document):
+    document.open(State(plates=read_plates(PLATES / "hopper_partition_stiffened.json")))
+    assert is_visible(canvas, "lines")
 
 
 def test_a_curved_plate_is_said_to_be_one(canvas, document, request):

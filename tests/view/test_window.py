@@ -16,6 +16,9 @@ from hullquad.formats import read_mesh, write_mesh
 from hullquad.metrics import METRICS, metric
 from hullquad.optimization.paper import unmoved
 from hullquad.optimization.settings import PaperSettings
+from hullquad.triangulation.contour import attempts
+from hullquad.triangulation.edges import edge_counts
+from hullquad.triangulation.remedies import Remedy
 from hullquad_app.canvas.picker import corners
 from hullquad_app.colours import Theme, element_colours
 from hullquad_app.faults import Faults
@@ -126,6 +129,36 @@ def mesh(window, qtbot):
 
 def wait_for_end(window, qtbot):
     qtbot.waitUntil(lambda: not scene(window).running, timeout=60_000)
+
+
+def test_the_view_draws_the_nodes_of_the_size_that_is_chosen(window, qtbot):
+    open_sample(window, qtbot, "hopper_block")
+    key = scene(window).view.key or scene(window).plate.id
+    panel = window.docks.meshing
+
+    def drawn():
+        return window.canvas.stage.layers["nodes"].data.n_points
+
+    for row, size in ((2, "fine"), (1, "coarse")):
+        panel.sizes.setCurrentIndex(row)
+        panel.sizes.activated.emit(row)
+        count = len(attempts(scene(window).state.plates, size)[key].points)
+        qtbot.waitUntil(lambda count=count: drawn() == count, timeout=20_000)
+
+
+def test_nodes_that_an_edit_of_another_plate_divides_are_drawn_anew(window, qtbot):
+    open_sample(window, qtbot, "hopper_block")
+    session, drawn = window.session, window.canvas.stage.layers["nodes"].data
+    session.choose_plate("G1")
+    state = scene(window).state
+    before = len(attempts(state.plates, None)["G1"].points)
+    qtbot.waitUntil(lambda: drawn.n_points == before, timeout=20_000)
+    change = Remedy("F0", 0, 3, edge_counts(state.plates, "F0")[0][3], edge_counts(state.plates, "F0")[0][3] + 1)
+    session.redivide(change)
+    qtbot.waitUntil(lambda: scene(window).state is not state, timeout=20_000)
+    after = len(attempts(scene(window).state.plates, None)["G1"].points)
+    assert after != before
+    qtbot.waitUntil(lambda: drawn.n_points == after, timeout=20_000)
 
 
 @pytest.fixture

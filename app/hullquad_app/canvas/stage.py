@@ -6,15 +6,15 @@ import numpy as np
 
 from hullquad.arrays import Bools, Floats, Ints, floats
 from hullquad.mesh import Mesh
-from hullquad.plate import Document as PlateDocument
 from hullquad.plate import Plate
 from hullquad.sight import from_notch
 from hullquad.topology import Topology, edges, half_edges
-from hullquad.triangulation.contour import Contour, attempts
+from hullquad.triangulation.contour import Contour
 from hullquad_app.canvas.layer import Layer
 from hullquad_app.canvas.painting import Painting, painting
 from hullquad_app.canvas.strokes import dashes, hatching
 from hullquad_app.colours import BROKEN, INVERTED, ColourMap, Palette, rgb
+from hullquad_app.division import Division
 from hullquad_app.scene import Scene
 
 LAYERS = {
@@ -59,7 +59,7 @@ class Stage:
         self._painting: Painting | None = None
         self._lines = _NO_LINES
         self._filled: Ints = np.empty((0, 4), dtype=np.int32)
-        self._attempts: tuple[PlateDocument | None, dict[str, Any]] = (None, {})
+        self._division: Division | None = None
         self.set_palette(palette)
 
     @property
@@ -73,11 +73,17 @@ class Stage:
         if scene.mesh is not before.mesh:
             self._show_mesh(scene.mesh, before.mesh)
         if scene.mesh is None and (before.mesh is not None or scene.plate is not before.plate):
-            self._show_plate(scene.plate, scene.state.plates)
+            self._show_plate(scene.plate)
         if scene.quality is not before.quality or scene.verdict is not before.verdict:
             self._paint()
         if scene.view.selection != before.view.selection or scene.mesh is not before.mesh:
             self._show_selection(scene.mesh, scene.view.selection)
+
+    def show_division(self, division: Division | None) -> None:
+        """Draw the nodes that a plate without a mesh has then."""
+        self._division = division
+        if self.scene.mesh is None and self.scene.plate is not None:
+            self._show_nodes(self.scene.plate)
 
     def set_palette(self, palette: Palette) -> None:
         """Take the colours of a theme."""
@@ -213,30 +219,39 @@ class Stage:
         for name in ("halo", "selection"):
             self.layers[name].set_lines(found[counts == 1])
 
-    def _show_plate(self, plate: Plate | None, document: PlateDocument | None) -> None:
+    def _show_plate(self, plate: Plate | None) -> None:
         """The outline of a plate that is not meshed, with the nodes that its contour gets."""
         self.points, self.loops = floats(np.empty((0, 3))), []
         for name in ("outline", "nodes"):
             self.layers[name].clear()
         self._show_lines(_NO_LINES)
-        if plate is None or document is None:
+        if plate is None:
             return
         self.loops = loops = list(plate.rims)
         self.points = floats(np.concatenate(loops))
         self.layers["outline"].set_segments(
             np.concatenate([np.stack([loop, np.roll(loop, -1, axis=0)], axis=1) for loop in loops])
         )
-        contour = self._contour(plate, document)
+        self._show_nodes(plate)
+
+    def _show_nodes(self, plate: Plate) -> None:
+        """Contour nodes and lines, as far as the division is one of this plate."""
+        contour = self._contour(plate)
+        self.layers["nodes"].clear()
         if contour is not None:
             self.layers["nodes"].set_dots(contour.points)
-            self._show_lines(contour.lines)
+        self._show_lines(_lines_of(plate) if contour is None else contour.lines)
 
-    def _contour(self, plate: Plate, document: PlateDocument) -> Contour | None:
-        """The divided contour; all of a document are divided together, once."""
-        if self._attempts[0] is not document:
-            self._attempts = (document, attempts(document))
-        attempt = self._attempts[1].get(plate.id)
-        return attempt if isinstance(attempt, Contour) else None
+    def _contour(self, plate: Plate) -> Contour | None:
+        contour = None if self._division is None else self._division.contours.get(plate.id)
+        return contour if isinstance(contour, Contour) and contour.plate.outer is plate.outer else None
+
+
+def _lines_of(plate: Plate) -> Floats:
+    """(L, 2, 3) ends of the stiffeners and seams of a plate, cut by its holes."""
+    if not plate.is_plane:
+        return _NO_LINES
+    return floats(plate.surface.points(plate.clipped_lines.reshape(-1, 2)).reshape(-1, 2, 3))
 
 
 def _sides(elements: Ints, chosen: Bools) -> Ints:

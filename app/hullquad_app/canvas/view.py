@@ -17,6 +17,7 @@ from hullquad_app.canvas.pointer import Pointer
 from hullquad_app.canvas.tip import tip
 from hullquad_app.canvas.viewpoint import Viewpoint
 from hullquad_app.colours import BROKEN, LIGHT, ColourMap, Palette
+from hullquad_app.division import Division
 from hullquad_app.scene import Scene
 from hullquad_app.turns import Turns
 
@@ -71,6 +72,7 @@ class Canvas(QWidget):
         self._scene = Scene()
         self._subject: object = None
         self._place: Floats = _NOWHERE
+        self._division: Division | None = None
         self._palette, self._map, self._shows_edges = LIGHT, BROKEN, True
         self._picker, self._pointer = Picker(), Pointer()
         self._cursor: QPointF | None = None
@@ -93,6 +95,7 @@ class Canvas(QWidget):
         self.stage.set_colour_map(self._map)
         self.stage.show_edges(self._shows_edges)
         self.stage.show_place(self._place)
+        self.stage.show_division(self._division)
         self.show_scene(self._scene)
 
     def stop(self) -> None:
@@ -130,6 +133,13 @@ class Canvas(QWidget):
         else:
             self._refresh()
         self._hover()
+
+    def show_division(self, division: Division) -> None:
+        """Draw the nodes of a division on plates without a mesh, until another one."""
+        self._division = division
+        if self.stage is not None:
+            self.stage.show_division(division)
+            self._refresh()
 
     def show_place(self, points: Floats) -> None:
         """Show a place on the plate, a polyline (N, 3) or a point (3,), until another one; none takes it away."""
