@@ -108,17 +108,34 @@ def best_stages(
             yield from _stages(contour, input_hash, trial.states, at, *numbers, is_best=trial.is_best)
 
 
-def best_mesh(contour: Contour, input_hash: str = "", settings: MeshSettings | None = None) -> Mesh:
+def best_mesh(
+    contour: Contour,
+    input_hash: str = "",
+    settings: MeshSettings | None = None,
+    watch: Callable[[int, int], None] = lambda *_: None,
+) -> Mesh:
     """The best mesh there is: as few triangles as the contour allows, then few and well shaped quads.
+
+    Parameters
+    ----------
+    contour : Contour
+    input_hash : str
+    settings : MeshSettings, optional
+    watch : callable
+        Called from time to time with the number of the candidate in the making, from 0, and of how many at most.
 
     Raises
     ------
     MeshingError, WorkerError
         The plate could not be triangulated.
     """
+    number, count = 0, 1
     for trial in _trials(contour, settings, is_watched=False):
+        if trial is not None:
+            number, count = trial.number, trial.count
         if trial is not None and trial.is_best:
             best = trial.states
+        watch(number, count)
     return _mesh(contour, *_glued(contour, best, 0), input_hash)  # every plate has a first candidate
 
 

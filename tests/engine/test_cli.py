@@ -416,6 +416,27 @@ def test_an_interrupted_command_writes_nothing(tmp_path):
     assert not out.exists()
 
 
+@pytest.mark.parametrize("mesher", ["best", "paper"])
+def test_a_terminal_is_told_what_goes_on_and_left_clean(mesher, tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr("hullquad.cli.streams.Stream.isatty", lambda stream: True)
+    monkeypatch.setattr("hullquad.cli.output._PAUSE", 0.0)
+    plate = PLATES / "hopper_partition.json"
+    code, _, told = run(capsys, "mesh", plate, "-o", tmp_path / "a.vtu", "--mesher", mesher, "--optimizer", "none")
+    assert code == 0
+    lines = [line.removesuffix("\x1b[K") for line in told.split("\r")]
+    doing = [line for line in lines if line.endswith(" …")]
+    assert [line.split()[0] for line in doing] == ["reading", "dividing", "preparing;", "hopper_partition:"]
+    candidates = [line for line in lines if re.fullmatch(r"hopper_partition: meshing, candidate \d of \d, \d+ s", line)]
+    assert bool(candidates) == (mesher == "best")
+    assert all(told.startswith("\x1b[K", told.index("\r", told.index(title) + 1) + 1) for title in doing[:3])
+    assert lines[-1] == "" or lines[-1].startswith("\x1b[Kwarning ")
+
+
+def test_nothing_goes_on_where_nobody_watches(tmp_path, capsys):
+    plate = PLATES / "hopper_partition.json"
+    assert run(capsys, "mesh", plate, "-o", tmp_path / "a.vtu", "--optimizer", "none")[2] == ""
+
+
 @pytest.mark.parametrize("optimizer", [row.key for row in OPTIMIZERS])
 def test_every_optimizer_improves_a_mesh(optimizer, meshed, tmp_path, capsys):
     words = ["optimize", meshed, "-o", tmp_path / "out.vtu", "--optimizer", optimizer, "--metric", "shape", "--json"]

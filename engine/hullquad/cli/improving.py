@@ -10,7 +10,7 @@ import attrs
 from hullquad import pipeline, worker
 from hullquad.cli.clock import Clock
 from hullquad.cli.loading import load
-from hullquad.cli.output import complain, progress, say, say_json, warn
+from hullquad.cli.output import activity, complain, progress, say, say_json, warn
 from hullquad.cli.report import run_figures, run_text
 from hullquad.errors import FileError, HullquadError, MeshError, PlateError
 from hullquad.formats import check_output, read_mesh, survey_plates, write_mesh
@@ -37,11 +37,13 @@ def mesh_plates(options: Namespace) -> bool:
     """Mesh every plate of a document, or one, and improve the meshes; whether any plate was refused."""
     check_output(options.output)
     worker.start()
-    document, refusals = survey_plates(options.input)
+    with activity(f"reading {options.input.name}"):
+        document, refusals = survey_plates(options.input)
     plates, refused = _chosen(document, refusals, options.plate)
     for refusal in refused:
         complain(refusal.error.concerning(refusal.plate_id))
-    contours = attempts(document, options.size, follow_lines=options.follow_stiffeners)
+    with activity("dividing contours"):
+        contours = attempts(document, options.size, follow_lines=options.follow_stiffeners)
     for plate in plates:
         _warn(document, options.size, plate, contours.get(plate.id))
     is_alone = options.plate is not None or len(document.plates) + len(refusals) == 1
@@ -120,10 +122,11 @@ def _mesh_plate(contour: Contour, input_hash: str, output: Path, options: Namesp
 
 
 def _meshed(contour: Contour, input_hash: str, options: Namespace) -> Mesh:
-    if options.mesher == "paper":
-        return pipeline.paper_mesh(contour, input_hash)
-    settings = MeshSettings(prefer=Preference(options.prefer), grading=options.grading)
-    return pipeline.best_mesh(contour, input_hash, settings)
+    with activity(f"{contour.plate.id}: meshing") as goes_on:
+        if options.mesher == "paper":
+            return pipeline.paper_mesh(contour, input_hash)
+        settings = MeshSettings(prefer=Preference(options.prefer), grading=options.grading)
+        return pipeline.best_mesh(contour, input_hash, settings, goes_on)
 
 
 def _improved(mesh: Mesh, options: Namespace) -> Outcome:

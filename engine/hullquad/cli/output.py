@@ -2,15 +2,18 @@
 
 import json
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from math import isfinite
+from time import perf_counter
 from typing import Any
 
 from hullquad.errors import HullquadError
 from hullquad.optimization.iterate import Iterate
 
 _BAR = 30
+_PAUSE = 0.2
+"""Time between two words about the same work [s]."""
 _USUAL = 1000
 """Iterations of the paper's method when no number is given."""
 
@@ -65,6 +68,37 @@ class Progress:
     def _say(self, text: str, iterate: Iterate) -> None:
         numbers = f"{iterate.objective:.4f}   worst {iterate.quality.worst:.3f}"
         print(f"\r{self._title} {text}   {numbers}\x1b[K", end="", file=sys.stderr, flush=True)  # noqa: T201
+
+
+class Activity:
+    """One line on a terminal that tells what is being done, and for how long."""
+
+    def __init__(self, title: str) -> None:
+        self._title, self._began, self._told = title, perf_counter(), 0.0
+        self._say(f"{title} …")
+
+    def tell(self, number: int, count: int) -> None:
+        """Tell that it goes on, with a candidate of several."""
+        since = perf_counter() - self._began
+        if since - self._told >= _PAUSE:
+            self._told = since
+            candidate = f", candidate {number + 1} of {count}" if count > 1 else ""
+            self._say(f"{self._title}{candidate}, {since:.0f} s")
+
+    def _say(self, text: str) -> None:
+        print(f"\r{text}\x1b[K", end="", file=sys.stderr, flush=True)  # noqa: T201
+
+
+@contextmanager
+def activity(title: str) -> Iterator[Callable[[int, int], None]]:
+    """A line on a terminal for as long as the work takes; gives what is called while it goes on."""
+    if not sys.stderr.isatty():
+        yield lambda *_: None
+        return
+    try:
+        yield Activity(title).tell
+    finally:
+        print("\r\x1b[K", end="", file=sys.stderr, flush=True)  # noqa: T201
 
 
 class _Silence:
