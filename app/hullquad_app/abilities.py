@@ -22,7 +22,7 @@ class Abilities:
     """The plate that is shown."""
     can_mesh_all: bool = False
     can_cancel: bool = False
-    """Opening or meshing."""
+    """What is being opened, divided or meshed."""
     can_even: bool = False
     """Contours of the document are known to have odd numbers of edges."""
     can_save: bool = False
@@ -36,7 +36,8 @@ class Abilities:
 def abilities(document: Document, jobs: Jobs, *, has_odd: bool) -> Abilities:
     """What can be done with a document while jobs run; whether it has odd contours."""
     scene, plates = document.scene, document.scene.state.plates
-    is_meshing, is_opening = jobs.meshing.is_running, jobs.opening.is_running
+    is_meshing, is_opening, is_editing = (job.is_running for job in (jobs.meshing, jobs.opening, jobs.editing))
+    may_change = not is_meshing and not is_opening and not is_editing
     has_mesh, iterates = scene.mesh is not None, 0 if scene.track is None else len(scene.track.iterates)
     is_idle = has_mesh and not scene.running and not is_meshing and not is_opening
     return Abilities(
@@ -46,10 +47,10 @@ def abilities(document: Document, jobs: Jobs, *, has_odd: bool) -> Abilities:
         can_pause=scene.running,
         can_reset=iterates > 1,
         can_scrub=iterates > 1 or (scene.track is not None and bool(scene.track.making)),
-        can_mesh=scene.plate is not None and scene.plate.is_plane and not is_meshing and not is_opening,
-        can_mesh_all=plates is not None and len(plates.plates) > 1 and not is_meshing and not is_opening,
-        can_cancel=is_meshing or is_opening,
-        can_even=has_odd and not is_meshing and not is_opening,
+        can_mesh=scene.plate is not None and scene.plate.is_plane and may_change,
+        can_mesh_all=plates is not None and len(plates.plates) > 1 and may_change,
+        can_cancel=not may_change or jobs.dividing.is_running,
+        can_even=has_odd and may_change,
         can_save=bool(scene.state.tracks) and not jobs.saving.is_running,
         can_save_plates=plates is not None and not jobs.saving.is_running,
         can_picture=has_mesh,

@@ -77,7 +77,7 @@ ROWS = (
     Row(MESH, _tr("&Mesh plate"), _tr("Make quads of the plate that is shown"), "docks.mesh_plate", "M", "mesh", "can_mesh", None, "mesh_plate", _tr("Mesh")),
     Row(MESH, _tr("Mesh &all plates"), _tr("Make quads of every plate of the document"), "docks.mesh_all_plates", "Shift+M", "", "can_mesh_all", None, "mesh_all"),
     Row(MESH, _tr("Make all contours &even"), _tr("Divide as few edges otherwise as are needed to have no unavoidable triangle"), "docks.make_even", "", "", "can_even"),
-    Row(MESH, _tr("&Cancel"), _tr("Give up what is being opened or meshed"), "session.cancel", "", "", "can_cancel"),
+    Row(MESH, _tr("&Cancel"), _tr("Give up what is being opened, divided or meshed"), "session.cancel", "", "", "can_cancel"),
     Row(OPTIMISE, _tr("&Step"), _tr("One iteration from the mesh that is shown"), "session.step", "S", "step", "can_step"),
     Row(OPTIMISE, _tr("&Run"), _tr("Iterate until nothing is gained"), "session.run", "R", "run", "can_run"),
     Row(OPTIMISE, _tr("Open &folded elements"), _tr("Turn elements that are inside out the right way"), "session.untangle", "U", "", "can_untangle"),

@@ -1,5 +1,6 @@
 """Edits that divide edges otherwise, and what becomes of the meshes made before."""
 
+from collections.abc import Generator
 from typing import TYPE_CHECKING
 
 import attrs
@@ -37,14 +38,17 @@ class Redivided:
         return attrs.evolve(state, plates=self.plates, tracks=tracks)
 
 
-def redivided(before: Document, change: "Remedy | None", size: Size) -> Redivided:
-    """One edge divided otherwise, or None: all contours of a document made even, as far as a way is found."""
+def redividing(before: Document, change: "Remedy | None", size: Size) -> Generator[int, None, Redivided]:
+    """One edge divided otherwise, or None: all contours of a document made even, as far as a way is found.
+
+    Yields how many contours are still to be made even.
+    """
     from hullquad.formats.hullplate import signed  # noqa: PLC0415  all of these bring Shapely
     from hullquad.triangulation.contour import attempts  # noqa: PLC0415
-    from hullquad.triangulation.evening import evened  # noqa: PLC0415
+    from hullquad.triangulation.evening import evening  # noqa: PLC0415
     from hullquad.triangulation.remedies import remedied  # noqa: PLC0415
 
-    after = evened(before, size) if change is None else remedied(before, change)
+    after = (yield from evening(before, size)) if change is None else remedied(before, change)
     if after is before:
         return Redivided(before, before, frozenset(), change)
     old, new = attempts(before, size), attempts(after, size)

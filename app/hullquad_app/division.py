@@ -1,6 +1,6 @@
 """What the contours of a document are at one element size, and what is to be said about them before meshing."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Generator, Iterator, Mapping, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, TypeAlias
 
@@ -46,20 +46,42 @@ class Division:
 
 def division(plates: Document, size: Size, *, follows_lines: bool = False) -> Division:
     """The contours of the plane plates, with all that is to be said about each plate."""
+    steps = dividing(plates, size, follows_lines=follows_lines)
+    while True:
+        try:
+            next(steps)
+        except StopIteration as end:
+            found: Division = end.value
+            return found
+
+
+def dividing(plates: Document, size: Size, *, follows_lines: bool = False) -> Generator[int, None, Division]:
+    """The same, step by step: yields of how many plates all is known."""
     from hullquad.triangulation.contour import attempts  # noqa: PLC0415  all of these bring Shapely
     from hullquad.triangulation.remedies import remedy  # noqa: PLC0415
 
+    yield 0
     contours = attempts(plates, size, follow_lines=follows_lines)
-    found = Division(plates, size, follows_lines, contours, _notices(plates, size, contours))
-    remedies = {key: change for key in found.odd if (change := remedy(plates, key, size)) is not None}
+    notices = yield from _notices(plates, size, contours)
+    found = Division(plates, size, follows_lines, contours, notices)
+    remedies = {}
+    for key in found.odd:
+        yield len(plates.plates)
+        if (change := remedy(plates, key, size)) is not None:
+            remedies[key] = change
     return attrs.evolve(found, remedies=remedies)
 
 
-def _notices(plates: Document, size: Size, contours: Mapping[str, Attempt]) -> dict[str, list[Notice]]:
+def _notices(
+    plates: Document, size: Size, contours: Mapping[str, Attempt]
+) -> Generator[int, None, dict[str, list[Notice]]]:
     from hullquad.formats.hullplate import concerns  # noqa: PLC0415
     from hullquad.triangulation.concerns import gap_concerns  # noqa: PLC0415
 
-    notices = {plate.id: [*_at_size(plates, size, contours, plate.id), *concerns(plate)] for plate in plates.plates}
+    notices: dict[str, list[Notice]] = {}
+    for plate in plates.plates:
+        yield len(notices)
+        notices[plate.id] = [*_at_size(plates, size, contours, plate.id), *concerns(plate)]
     for gap in gap_concerns(plates):
         owner = next(plate.id for plate in plates.plates if gap.place.startswith(f"{plate.place}/"))
         notices[owner].append(gap)

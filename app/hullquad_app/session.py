@@ -122,7 +122,7 @@ class Session(QObject):
         self._tell_able()
 
     def cancel(self) -> None:
-        """Give up what is being opened or meshed."""
+        """Give up what is being opened, divided or meshed."""
         self.workshop.cancel()
 
     def save(self, path: Path) -> None:
@@ -262,6 +262,7 @@ class Session(QObject):
         self.opened.connect(self.settings.add_recent)
         self.saved.connect(self._remember_file)
         self.divided.connect(self._tell_able)
+        self.busy.connect(self._tell_able)
         self.opened.connect(self.optimizer.forget)
         self.optimizer.ended_unmoved.connect(self._tell_stop)
         self.optimizer.failed.connect(self._tell_failed)

@@ -19,8 +19,8 @@ from hullquad.metrics import Metric
 from hullquad.plate import Document, Notice
 from hullquad.quads.remaining import Cause, cause_of, remaining_triangles
 from hullquad.quality import quality
-from hullquad_app.dividing import redivided
-from hullquad_app.division import Attempt, Size, division
+from hullquad_app.dividing import Redivided, redividing
+from hullquad_app.division import Attempt, Division, Size, dividing
 from hullquad_app.making import Making
 from hullquad_app.mesh_words import stage_progress
 from hullquad_app.mesher import PAPER, Mesher
@@ -94,14 +94,28 @@ def opened(path: Path, metric: Metric) -> Work:
 
 def divided(plates: Document, size: Size, *, follows_lines: bool = False) -> Work:
     """The `Division` of a document."""
-    yield Progress(_translated("Dividing contours"))
-    return division(plates, size, follows_lines=follows_lines)
+    steps, text = dividing(plates, size, follows_lines=follows_lines), _translated("Dividing contours")
+    while True:
+        try:
+            known = next(steps)
+        except StopIteration as end:
+            found: Division = end.value
+            return found
+        yield Progress(text, known, len(plates.plates) if known else 0)
 
 
 def edited(plates: Document, change: "Remedy | None", size: Size) -> Work:
     """`Redivided` plates: by one change, or by as many as make all contours even."""
-    yield Progress(_translated("Dividing edges"))
-    return redivided(plates, change, size)
+    steps, text, most = redividing(plates, change, size), _translated("Dividing edges"), 0
+    yield Progress(text)
+    while True:
+        try:
+            odd = next(steps)
+        except StopIteration as end:
+            found: Redivided = end.value
+            return found
+        most = max(most, odd)
+        yield Progress(text, most - odd, most)
 
 
 def meshed(

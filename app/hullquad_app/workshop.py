@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import attrs
-from PySide6.QtCore import QObject, Signal
+from PySide6.QtCore import QObject, QTimer, Signal
 
 from hullquad.errors import HullquadError
 from hullquad.mesh import Mesh
@@ -27,6 +27,8 @@ if TYPE_CHECKING:
     from hullquad.triangulation.remedies import Remedy
 
 KEPT_DIVISIONS = 16
+PATIENCE = 500
+"""Work that is usually done in a moment is told of when it takes longer [ms]."""
 
 
 class Workshop(QObject):
@@ -56,6 +58,8 @@ class Workshop(QObject):
         self._divisions: dict[tuple[Size, bool], Division] = {}
         self._newest: Division | None = None
         self._being_saved = self.kept
+        self._long, self._latest, self._is_long = QTimer(self, singleShot=True), Progress(""), False
+        self._long.timeout.connect(self._tell_long)
         for job in self.jobs.all:
             job.broke.connect(self._tell_broken)
             job.ended.connect(self._tell_idle)
@@ -63,6 +67,8 @@ class Workshop(QObject):
             job.refused.connect(self.message)
         for job in (self.jobs.preparing, self.jobs.opening, self.jobs.meshing, self.jobs.saving):
             job.progressed.connect(self._tell_busy)
+        for job in (self.jobs.dividing, self.jobs.editing):
+            job.progressed.connect(self._tell_if_long)
         self.jobs.opening.done.connect(self._show_opened)
         self.jobs.dividing.done.connect(self._show_divided)
         self.jobs.editing.done.connect(self._show_redivided)
@@ -121,9 +127,9 @@ class Workshop(QObject):
             self.jobs.save_plates(plates, path)
 
     def cancel(self) -> None:
-        """Give up what is being opened or meshed; the document stays as it is."""
-        self.jobs.opening.cancel()
-        self.jobs.meshing.cancel()
+        """Give up what is being opened, divided or meshed; the document stays as it is."""
+        for job in (self.jobs.opening, self.jobs.dividing, self.jobs.editing, self.jobs.meshing):
+            job.cancel()
 
     def _show_opened(self, state: State) -> None:
         self.jobs.meshing.cancel()
@@ -216,6 +222,20 @@ class Workshop(QObject):
     def _tell_busy(self, progress: Progress) -> None:
         self.busy.emit(progress.text, progress.done, progress.total)
 
+    def _tell_if_long(self, progress: Progress) -> None:
+        self._latest = progress
+        if self._is_long:
+            self._tell_busy(progress)
+        elif not self._long.isActive():
+            self._long.start(PATIENCE)
+
+    def _tell_long(self) -> None:
+        self._is_long = self.jobs.dividing.is_running or self.jobs.editing.is_running
+        if self._is_long:
+            self._tell_busy(self._latest)
+
     def _tell_idle(self) -> None:
         if not any(job.is_running for job in self.jobs.all):
+            self._long.stop()
+            self._is_long = False
             self.idle.emit()

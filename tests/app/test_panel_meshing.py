@@ -75,6 +75,16 @@ def test_unavoidable_triangles_are_told_before_meshing(panel):
     assert panel.prospect.sentence.text() == expected
 
 
+def test_contours_that_nobody_looks_for_any_more_are_not_waited_for(panel, qtbot):
+    show(panel, BLOCK, "H1")
+    choose(panel, "fine", qtbot)
+    assert panel.prospect.sentence.text() == "Unavoidable triangles: …"
+    panel.show_idle()
+    assert panel.prospect.sentence.text().startswith("Unavoidable triangles: not looked for.")
+    panel.ask()
+    assert panel.prospect.sentence.text() == "Unavoidable triangles: …"
+
+
 def test_a_curved_plate_is_refused_in_the_words_of_the_engine(panel):
     plates = read_plates(PLATES / "bilge_shell.json")
     show(panel, plates)

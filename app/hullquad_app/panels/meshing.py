@@ -98,8 +98,9 @@ class MeshingPanel(QWidget):
         self._show_task(visible=True)
 
     def show_idle(self) -> None:
-        """Nothing is being done."""
+        """Nothing is being done, and no division is to come."""
         self._show_task(visible=False)
+        self.prospect.give_up()
 
     def set_palette(self, palette: Palette, _: ColourMap = COLOUR_MAPS[0]) -> None:
         """Draw in the colours of a theme."""

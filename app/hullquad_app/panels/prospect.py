@@ -62,6 +62,11 @@ class Prospect(QWidget):
             button.setVisible(is_of_use)
         self.notices.show_notices([notice for notice in self._notices if notice.code != "W_ODD"])
 
+    def give_up(self) -> None:
+        """Say of a division that was to come that it does not."""
+        if self._plate is not None and self._division is None:
+            self.sentence.setText(self.tr("Unavoidable triangles: not looked for. Choose a size to look for them."))
+
     def enable(self, *, can_edit: bool) -> None:
         """Let the document be edited, or not now."""
         self.remedy.setEnabled(can_edit)

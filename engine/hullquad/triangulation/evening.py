@@ -1,6 +1,7 @@
 """All contours of a document made even, as far as possible."""
 
 from collections import deque
+from collections.abc import Generator
 from itertools import pairwise
 
 from hullquad.plate import Document, Plate
@@ -17,9 +18,21 @@ def evened(document: Document, size: float | str | None = None) -> Document:
     An odd plate is made even by one edge with others that are odd too, or with the nearest odd one, or with an edge
     that it has alone; plates on the way there change on two edges each, and stay even.
     """
+    steps = evening(document, size)
+    while True:
+        try:
+            next(steps)
+        except StopIteration as end:
+            found: Document = end.value
+            return found
+
+
+def evening(document: Document, size: float | str | None = None) -> Generator[int, None, Document]:
+    """The same, step by step: yields how many contours are odd that nothing was tried for yet."""
     shared, sizes = sized(document, size)
     tried: set[str] = set()
     while odd := [plate.id for plate in shared.frame.plates if plate.id not in tried and _odd(shared, sizes, plate)]:
+        yield len(odd)
         tried.add(odd[0])
         changed, best = document, remedy(document, odd[0], size)
         if best is not None and best.odd < 0:
