@@ -190,6 +190,11 @@ class Plate:
         return LEAST_PARAMETER if self.is_parametric else LEAST_LENGTH
 
     @property
+    def unit(self) -> str:
+        """What a sentence says after a length in the plane of the plate; parameters are none."""
+        return "" if self.is_parametric else " mm"
+
+    @property
     def snap(self) -> float:
         """Distance within which a point lies on the contour, in the unit of the coordinates."""
         return LEAST_PARAMETER if self.is_parametric else SNAP

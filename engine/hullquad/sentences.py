@@ -193,12 +193,12 @@ SENTENCES: dict[str, str] = {
     "E_DIVISIONS:edges": "there are {count} numbers for the {wanted} edges of the loop; give one for each edge",
     "E_DIVISIONS:holes": "there are {count} lists for {wanted} holes; give one for each hole",
     "E_OUTER": "the loop has too few vertices ({count}); it needs three, or two and a round edge between them",
-    "E_SHORT_EDGE": "the edge that leaves ({u:.7g}, {v:.7g}) is {length:.3g} long, the least is {least:g}; remove the "
-    "vertex, or move it (the first vertex is not repeated at the end)",
+    "E_SHORT_EDGE": "the edge that leaves ({u:.7g}, {v:.7g}) is {length:.3g}{unit} long, the least is {least:g}{unit}; "
+    "remove the vertex, or move it (the first vertex is not repeated at the end)",
     "E_SELF_INTERSECT": "the loop crosses or touches itself at ({u:.7g}, {v:.7g}); correct the vertices or the arcs "
     "there",
-    "E_SELF_INTERSECT:neck": "the loop touches itself at ({u:.7g}, {v:.7g}) within {least:g}; move the vertex away "
-    "from the edge, or divide the plate there",
+    "E_SELF_INTERSECT:neck": "the loop touches itself at ({u:.7g}, {v:.7g}) within {least:g}{unit}; move the vertex "
+    "away from the edge, or divide the plate there",
     "E_AREA": "the loop at ({u:.7g}, {v:.7g}) encloses no area; correct its vertices",
     "E_ELLIPSE:off": "the end ({u:.7g}, {v:.7g}) of the edge is {percent:.2g} % off its ellipse, 0.1 % are allowed; "
     "correct the ellipse or move the vertex",
@@ -207,12 +207,12 @@ SENTENCES: dict[str, str] = {
     "E_HOLE_OUTSIDE:crossing": "the hole at ({u:.7g}, {v:.7g}) crosses or touches the outer contour; move it inside, "
     "or cut the contour there",
     "E_HOLE_OVERLAP": "the hole at ({u:.7g}, {v:.7g}) overlaps or touches hole {hole}; move it, or join the two",
-    "E_LIGAMENT:contour": "only {width:.2g} are left between the hole at ({u:.7g}, {v:.7g}) and the outer contour, "
-    "the least is {least:g}; move the hole, or cut the contour there",
-    "E_LIGAMENT:hole": "only {width:.2g} are left between the hole at ({u:.7g}, {v:.7g}) and hole {hole}, the least "
-    "is {least:g}; move it, or join the two",
-    "E_SHORT_LINE": "the line at ({u:.7g}, {v:.7g}) is {length:.3g} long, the least is {least:g}; remove it or move "
-    "an end",
+    "E_LIGAMENT:contour": "only {width:.2g}{unit} are left between the hole at ({u:.7g}, {v:.7g}) and the outer "
+    "contour, the least is {least:g}{unit}; move the hole, or cut the contour there",
+    "E_LIGAMENT:hole": "only {width:.2g}{unit} are left between the hole at ({u:.7g}, {v:.7g}) and hole {hole}, the "
+    "least is {least:g}{unit}; move it, or join the two",
+    "E_SHORT_LINE": "the line at ({u:.7g}, {v:.7g}) is {length:.3g}{unit} long, the least is {least:g}{unit}; remove "
+    "it or move an end",
     "E_LINE_OUTSIDE": "the line leaves the plate, it reaches ({u:.7g}, {v:.7g}); end it on the contour",
     "E_POINT_OUTSIDE": "the point ({u:.7g}, {v:.7g}) is outside of the plate or in a hole; move or remove it",
     "E_SURFACE:type": "the surface is {shown}; known are {known}",

@@ -325,6 +325,7 @@ def test_what_only_runs_out_narrow_is_no_neck(outer):
 def test_a_size_larger_than_the_plate_is_told_with_the_plates_own():
     (notice,) = [n for n in size_concerns(plate(), 2500.0) if n.code == "W_SIZE"]
     assert "extent is 2000 mm" in notice.text
+    assert [n.code for n in size_concerns(plate(), 50_000.0)] == ["W_SIZE"]  # its edges are short beside that only
     assert "W_SIZE" not in {n.code for n in size_concerns(plate(), 2000.0)}
 
 

@@ -486,6 +486,18 @@ def test_ligaments_of_just_the_least_width_are_accepted(described, tmp_path):
     assert len(read(described, tmp_path).plates[0].holes) == len(holes)
 
 
+def test_a_length_that_is_refused_is_told_with_its_unit(described, tmp_path):
+    described["units"]["length"] = "m"
+    described["plates"][0]["outer"][1]["p"] = [0.0002, 0]
+    assert "0.2 mm long, the least is 1 mm" in refusal(described, tmp_path).text
+
+
+@pytest.mark.parametrize(("point", "shown"), [([1000], "1"), ([1, 2, 3], "3"), (5, "5"), ({}, "an object")])
+def test_a_point_of_another_kind_is_told_what_it_has(point, shown, described, tmp_path):
+    described["plates"][0]["fixed"] = [point]
+    assert refusal(described, tmp_path).text.endswith(f"2 coordinates in square brackets belong here, not {shown}")
+
+
 def test_the_warning_of_a_short_edge_tells_the_size_and_one_that_helps(described, tmp_path):
     described["plates"][0]["target_size"] = 600
     (notice,) = [notice for notice in read(described, tmp_path).warnings if notice.code == "W_SHORT_EDGE"]

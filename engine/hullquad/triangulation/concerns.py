@@ -52,6 +52,7 @@ def size_concerns(plate: Plate, size: float) -> Iterator[Notice]:
     extent = float(np.ptp(plate.box, axis=0).max())
     if size > extent:
         yield Notice("W_SIZE", plate.place, "", {"size": size, "extent": extent})
+        size = extent  # elements are no larger
     for loop in plate.loops:
         yield from _short_edges(loop, size)
     yield from _ligaments(plate, size)

@@ -38,16 +38,16 @@ def _loop_defects(plate: Plate) -> Iterator[PlateError]:
         elif polygon.area < least_area:
             yield PlateError("E_AREA", loop.place, u=outline[0, 0], v=outline[0, 1])
         else:
-            yield from _necks(loop, outline, _SLENDEREST * plate.least_length)
+            yield from _necks(loop, outline, _SLENDEREST * plate.least_length, plate.unit)
 
 
-def _necks(loop: Loop, outline: Floats, least: float) -> Iterator[PlateError]:
+def _necks(loop: Loop, outline: Floats, least: float, unit: str) -> Iterator[PlateError]:
     """Refuse a loop that nearly touches itself: the mesher would take the two sides for one."""
     vertices = np.stack([curve.start for curve in loop.curves])
     touching = near_segments(vertices, outline, [0, len(outline)], least)
     if len(touching):
         u, v = vertices[touching[0, 0]]
-        yield PlateError("E_SELF_INTERSECT", loop.place, "neck", u=u, v=v, least=least)
+        yield PlateError("E_SELF_INTERSECT", loop.place, "neck", u=u, v=v, least=least, unit=unit)
 
 
 def _hole_defects(plate: Plate) -> Iterator[PlateError]:
@@ -66,13 +66,13 @@ def _hole_defects(plate: Plate) -> Iterator[PlateError]:
             case = "crossing" if shapely.intersects(rim, openings[i]) else ""
             yield PlateError("E_HOLE_OUTSIDE", hole.place, case, u=u, v=v)
         elif width < plate.least_length:
-            numbers = {"u": u, "v": v, "width": width, "least": plate.least_length}
+            numbers = {"u": u, "v": v, "width": width, "least": plate.least_length, "unit": plate.unit}
             yield PlateError("E_LIGAMENT", hole.place, "contour", **numbers)
         elif i in neighbours:
             other = neighbours[i]
             width = float(shapely.distance(openings[i], openings[other]))
             code = "E_LIGAMENT" if width > 0 else "E_HOLE_OVERLAP"
-            numbers = {"u": u, "v": v, "hole": other, "width": width, "least": plate.least_length}
+            numbers = {"u": u, "v": v, "hole": other, "width": width, "least": plate.least_length, "unit": plate.unit}
             yield PlateError(code, hole.place, "hole" if width > 0 else "", **numbers)
 
 

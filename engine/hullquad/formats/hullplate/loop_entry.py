@@ -32,6 +32,11 @@ class Units:
     parametric: bool = False
 
     @property
+    def unit(self) -> str:
+        """What a sentence says after a length in the plate; parameters are none."""
+        return "" if self.parametric else " mm"
+
+    @property
     def least_length(self) -> float:
         """Shortest edge allowed, in the unit of the coordinates."""
         return LEAST_PARAMETER if self.parametric else LEAST_LENGTH
@@ -42,7 +47,8 @@ def vector(count: int, scale: float = 1.0) -> Callable[[Entry], Floats]:
 
     def read(entry: Entry) -> Floats:
         if not isinstance(entry.value, list) or len(entry.value) != count:
-            raise entry.refused("E_POINT", "count", count=count, shown=entry.shown)
+            shown = len(entry.value) if isinstance(entry.value, list) else entry.shown
+            raise entry.refused("E_POINT", "count", count=count, shown=shown)
         values = np.array(items(entry, number)) * scale
         if np.abs(values).max() > _FARTHEST:
             raise entry.refused("E_POINT", "far", shown=", ".join(f"{value:g}" for value in values))
@@ -124,7 +130,7 @@ def _curve(vertex: dict[str, Any], end: Floats, entry: Entry, units: Units) -> C
     start = vertex["p"]
     length = float(np.hypot(*(end - start)))
     if length < units.least_length:
-        entry.refused("E_SHORT_EDGE", u=start[0], v=start[1], length=length, least=units.least_length)
+        entry.refused("E_SHORT_EDGE", u=start[0], v=start[1], length=length, least=units.least_length, unit=units.unit)
         return Straight(start, end)
     if "bulge" in vertex:
         return Arc(start, end, vertex["bulge"])

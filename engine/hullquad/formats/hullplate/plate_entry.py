@@ -140,7 +140,7 @@ def _line(units: Units, *further: str) -> Callable[[Entry], Line]:
         length = float(np.hypot(*(values["b"] - values["a"])))
         if length < units.least_length:
             u, v = values["a"]
-            raise entry.refused("E_SHORT_LINE", u=u, v=v, length=length, least=units.least_length)
+            raise entry.refused("E_SHORT_LINE", u=u, v=v, length=length, least=units.least_length, unit=units.unit)
         return Line(place=entry.place, **values)
 
     return read
