@@ -5,7 +5,6 @@ if and only if no path of alternately unpaired and paired edges leads from one l
 """
 
 from collections.abc import Iterator
-from itertools import pairwise
 
 import numpy as np
 
@@ -22,9 +21,7 @@ def augment(pairs: Pairs, joined: set[int]) -> Iterator[Join]:
     `joined` are the rows of the pairs that are joined already.
     """
     count = len(pairs.triangles)
-    mates = np.full(count, -1)
-    for one, other in pairs.members[sorted(joined)].tolist():
-        mates[one], mates[other] = other, one
+    mates = mates_of(pairs, joined)
     partners = np.where(pairs.pair_across >= 0, pairs.neighbours, -1).astype(np.int64)
     alive, kinds = np.ones(count, dtype=np.bool_), np.zeros(count, dtype=np.int8)
     forest = np.zeros((5, count + 1), dtype=np.int64)  # parents, bases, rounds, queue, vertices seen
@@ -34,20 +31,24 @@ def augment(pairs: Pairs, joined: set[int]) -> Iterator[Join]:
         if mates[leftover] < 0:
             length = _augmenting_path(leftover, partners, mates, alive, forest, kinds, path)
             if length:
-                yield _changed(pairs, path[:length].tolist(), mates)
+                yield _changed(pairs, path[:length], mates)
 
 
-def _changed(pairs: Pairs, path: list[int], mates: Longs) -> Join:
+def mates_of(pairs: Pairs, joined: set[int]) -> Longs:
+    """(T,) partner of each triangle in the pairs that are joined, -1 of one that has none."""
+    mates = np.full(len(pairs.triangles), -1)
+    one, other = pairs.members[list(joined)].reshape(-1, 2).T
+    mates[one], mates[other] = other, one
+    return mates
+
+
+def _changed(pairs: Pairs, path: Longs, mates: Longs) -> Join:
     """Flip the pairs along a path of triangles."""
-    rows = [_pair(pairs, one, other) for one, other in pairwise(path)]
-    for one, other in zip(path[::2], path[1::2], strict=True):
-        mates[one], mates[other] = other, one
+    one, other = path[:-1], path[1:]
+    is_across = (pairs.neighbours[one] == other[:, None]) & (pairs.pair_across[one] >= 0)
+    rows = pairs.pair_across[one, np.argmax(is_across, axis=1)].tolist()
+    mates[path[::2]], mates[path[1::2]] = path[1::2], path[::2]
     return Join(joined=tuple(rows[::2]), parted=tuple(rows[1::2]))
-
-
-def _pair(pairs: Pairs, one: int, other: int) -> int:
-    across = (pairs.neighbours[one] == other) & (pairs.pair_across[one] >= 0)
-    return int(pairs.pair_across[one, np.argmax(across)])
 
 
 _UNSEEN, _OUTER, _INNER = 0, 1, 2

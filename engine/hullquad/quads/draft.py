@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from hullquad.arrays import Bools, Floats, Ints, Longs
-from hullquad.metrics.compiled import called, plain, woven
+from hullquad.metrics.compiled import called, plain, uncounted, woven
 from hullquad.quads.stages import compact
 
 NODES, ELEMENTS, STAMP = range(3)
@@ -107,7 +107,7 @@ def draft(nodes: Floats, elements: Ints, held: int, rim_ideal: Longs, bound: Int
     made.ideal[: len(rim_ideal)] = rim_ideal
     if bound is not None:
         made.bound[bound[:, 0]], made.bound[bound[:, 1]] = bound[:, 1], bound[:, 0]
-    _tell_nodes(made, elements)
+    _tell_nodes(made.elements[:rows], made.around, made.counts)
     return made
 
 
@@ -120,14 +120,16 @@ def finished(made: Draft, given: int) -> tuple[Floats, Ints]:
     return compact(made.nodes, made.element_rows, given)
 
 
-def _tell_nodes(made: Draft, elements: Ints | Longs) -> None:
+@uncounted
+def _tell_nodes(elements: Longs, around: Longs, counts: Longs) -> None:
     """Tell every node the elements around it, in order."""
-    owners, corners = np.nonzero(elements >= 0)
-    ends = elements[owners, corners]
-    order = np.argsort(ends, kind="stable")
-    made.counts[:] = np.bincount(ends, minlength=len(made.counts))
-    places = np.arange(len(ends)) - (np.cumsum(made.counts) - made.counts)[ends[order]]
-    made.around[ends[order], places] = owners[order]
+    counts[:] = 0
+    for element in range(len(elements)):
+        for corner in range(4):
+            node = elements[element, corner]
+            if node >= 0:
+                around[node, counts[node]] = element
+                counts[node] += 1
 
 
 def compacted(made: Draft) -> None:
@@ -140,7 +142,7 @@ def compacted(made: Draft) -> None:
     made.elements[:] = -1
     made.elements[: len(rows)] = rows
     made.tallies[NODES], made.tallies[ELEMENTS] = len(nodes), len(rows)
-    _tell_nodes(made, rows)
+    _tell_nodes(made.elements[: len(rows)], made.around, made.counts)
 
 
 @called

@@ -39,13 +39,18 @@ class Join:
 
 def front(pairs: Pairs) -> Iterator[Join]:
     """Joins of the advancing front, one pair each, in order."""
+    for pair, level in front_pairs(pairs).tolist():
+        yield Join(joined=(pair,), level=level)
+
+
+def front_pairs(pairs: Pairs) -> Longs:
+    """(J, 2) pairs that the advancing front joins, in order, and the level where it does."""
     if len(pairs.triangles) == 0:
-        return
+        return np.empty((0, 2), dtype=np.int64)
     log = np.empty((len(pairs.triangles) // 2, 2), dtype=np.int64)
     levels, free = np.where(pairs.at_rim, 0, _UNREACHED), np.ones(len(pairs.triangles), dtype=np.bool_)
     count = _advance(longs(pairs.neighbours), longs(pairs.pair_across), pairs.scores, levels, free, log)
-    for pair, level in log[:count].tolist():
-        yield Join(joined=(pair,), level=level)
+    return log[:count]
 
 
 @called

@@ -11,8 +11,8 @@ import numpy as np
 
 from hullquad.arrays import Bools, Floats, Longs, longs
 from hullquad.metrics.compiled import called, uncounted, woven
-from hullquad.quads.augment import augment
-from hullquad.quads.front import front
+from hullquad.quads.augment import augment, mates_of
+from hullquad.quads.front import front_pairs
 from hullquad.quads.pairs import Pairs
 
 EXACT = 1000
@@ -39,7 +39,7 @@ def matching(pairs: Pairs, weights: Floats, single_weights: Floats) -> Generator
     """
     if len(pairs.triangles) <= EXACT:
         return _exact(pairs, weights, single_weights)
-    joined = {row for join in front(pairs) for row in join.joined}
+    joined = set(front_pairs(pairs)[:, 0].tolist())
     for change in augment(pairs, joined):
         joined.difference_update(change.parted)
         joined.update(change.joined)
@@ -65,9 +65,7 @@ def improved(
     pairs: Pairs, joined: set[int], weights: Floats, single_weights: Floats
 ) -> Generator[None, None, set[int]]:
     """Rows of a pairing of as many pairs and a weight that is not less; yields from time to time."""
-    mates = np.full(len(pairs.triangles), -1)
-    for one, other in pairs.members[sorted(joined)].tolist():
-        mates[one], mates[other] = other, one
+    mates = mates_of(pairs, joined)
     neighbours, across = longs(pairs.neighbours), longs(pairs.pair_across)
     visited, sums = np.zeros(len(mates), dtype=np.bool_), np.zeros(DEPTH + 1)
     ways = np.zeros((3, 2 * DEPTH + 3), dtype=np.int64)

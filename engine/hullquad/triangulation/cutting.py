@@ -58,6 +58,8 @@ class Cut:
 
     def regions(self, elements: Ints) -> Longs:
         """(E,) region of each element of the cut plate."""
+        if not self.around.lines:
+            return longs(np.full(len(elements), self.around.regions[0]))
         real = elements >= 0
         first = np.broadcast_to(elements[:, :1], elements.shape)[real]
         nodes = int(elements.max(initial=0)) + 1

@@ -88,7 +88,10 @@ def box_around(points: Floats) -> Box:
 def _inner_point(loop: Floats) -> Floats:
     """A point strictly inside a loop; in the narrowest slit the corners' own triangles are the last resort."""
     hole = shapely.Polygon(loop)
+    usual = hole.representative_point()
+    if shapely.contains_properly(hole, usual):
+        return floats([usual.x, usual.y])
     corners = np.stack([np.roll(loop, 1, axis=0), loop, np.roll(loop, -1, axis=0)], axis=1)
-    candidates = np.vstack([shapely.get_coordinates(hole.representative_point()), corners.mean(axis=1)])
+    candidates = corners.mean(axis=1)
     inside = shapely.contains_properly(hole, shapely.points(candidates))
     return floats(candidates[np.argmax(inside)])
