@@ -1,5 +1,8 @@
 """Two thousand random plates: stars, combs, plates with holes and slots, graded edges; each from its own number.
 
+Beyond them are narrow ones: rings, bent strips, stars with holes side by side, slits, nowhere or everywhere as narrow
+as is allowed.
+
 Ligaments are at least a tenth of the element size and corners at least 20 degrees. Everything is in elements of
 length one, then brought to millimetres, turned and moved. As many have lines that elements follow: across the plate,
 from the contour inwards, or inside, crossing each other; what is true of ligaments and corners is true with lines, too.
@@ -25,7 +28,7 @@ def plate_contour(number: int, template: Plate) -> Contour:
     """Contour of the plate of a number; `template` gives what a contour needs of a plate beside its nodes."""
     rng = np.random.default_rng(number)
     while True:
-        rings = _KINDS[number % len(_KINDS)](rng)
+        rings = (_KINDS if number < COUNT else _NARROW_KINDS)[number % len(_KINDS)](rng)
         divided = [_divided(ring, rng) for ring in rings]
         if _is_sound(divided):
             return _placed(divided, template, rng)
@@ -116,7 +119,70 @@ def _graded(rng):
     return [_box(rng) + rng.uniform(-0.7, 0.7, (4, 2))]
 
 
+def _ring(rng):
+    """A narrow ring of two polygons, seldom with the same number of corners."""
+    outer, inner = rng.integers(5, 24, 2) if rng.random() < 0.7 else np.full(2, rng.integers(5, 24))
+    radius = rng.uniform(1.5, 4)
+    within = radius * np.cos(np.pi / outer) - rng.uniform(0.1, 0.4)
+    return [_polygon(radius, outer, 0.0), _polygon(within, inner, rng.uniform(0, 1))]
+
+
+def _polygon(radius, corners, turn):
+    angles = turn + np.arange(corners) * 2 * np.pi / corners
+    return radius * np.stack([np.cos(angles), np.sin(angles)], axis=1)
+
+
+def _strip(rng):
+    """A bent strip."""
+    bends = rng.integers(2, 6)
+    x, y = np.cumsum(rng.uniform(1.5, 5, bends)), np.where(np.arange(bends) % 2, rng.uniform(0.5, 3, bends), 0)
+    line = shapely.LineString(np.stack([x, y], axis=1))
+    width = rng.uniform(0.1, 0.2) if rng.random() < 0.5 else rng.uniform(0.2, 1)
+    return _rings(line.buffer(width / 2, cap_style="flat", join_style="mitre", mitre_limit=8))
+
+
+def _bored(rng):
+    """A star with holes beside one another."""
+    rings = _star(rng)
+    while not shapely.is_valid(shapely.Polygon(rings[0])):
+        rings = _star(rng)
+    star = shapely.Polygon(rings[0])
+    for _ in range(20):
+        hole = rng.uniform(-4, 4, 2) + _polygon(rng.uniform(0.2, 1.2), rng.integers(3, 12), rng.uniform(0, 1))
+        near, at = shapely.get_coordinates(shapely.shortest_line(star.boundary, shapely.LinearRing(hole)))
+        away = np.hypot(*(at - near))
+        moved = shapely.Polygon(hole + (near - at) * (1 - 0.11 / away)) if away else star
+        if shapely.contains_properly(star, moved) and star.boundary.distance(moved) > LIGAMENT:
+            star = star.difference(moved)
+    return _rings(star)
+
+
+def _slits(rng):
+    """Slots of a tenth, from the sides inwards and inside."""
+    width, height = rng.uniform(2, 8, 2)
+    plate = shapely.box(0, 0, width, height)
+    for _ in range(rng.integers(2, 7)):
+        x, y, length = rng.uniform(0, width), rng.uniform(-1, height), rng.uniform(0.4, 0.8) * height
+        slit = shapely.box(x, y, x + 0.1 + rng.integers(2) * rng.uniform(0, 0.2), y + length)
+        cut = plate.difference(slit)
+        if cut.geom_type == "Polygon" and _is_sound(_rings(cut)):
+            plate = cut
+    return _rings(plate)
+
+
+def _rings(polygon):
+    return [shapely.get_coordinates(ring)[:-1] for ring in (polygon.exterior, *polygon.interiors)]
+
+
+def _unlike(rng):
+    """A bar whose long sides have very different numbers of segments."""
+    length, width = rng.integers(2, 9), rng.uniform(0.1, 0.6)
+    above = np.linspace(length, 0, rng.integers(2, 3 * length + 1))
+    return [np.concatenate([[(0.0, 0.0), (length, 0.0)], np.stack([above, np.full(len(above), width)], axis=1)])]
+
+
 _KINDS = (_star, _comb, _holes, _slots, _graded)
+_NARROW_KINDS = (_ring, _strip, _bored, _slits, _unlike)
 
 
 def _divided(ring, rng):

@@ -1,7 +1,7 @@
 """What must hold of every mesh of the best mesher, on random plates; a hundred of them, or as many as asked for.
 
 ``pytest tests/corpus --plates 2000`` goes through all of them. Every tenth one is meshed again with lines that elements
-follow.
+follow, and for every fiftieth there is a narrow one.
 """
 
 import importlib.util
@@ -24,20 +24,25 @@ HALVED = 655
 """A line of one segment goes across this plate, between regions whose chords are halved."""
 NARROW = 1285
 """Lines make such narrow triangles of this plate that quads there are dearer than triangles are elsewhere."""
+RING = 2050
+"""A ring without room for triangles to come together in."""
 TEMPLATE = next(iter(read_plates(Path(__file__).parents[2] / "assets/plates/hopper_partition.json").plates))
 SCALED_JACOBIAN = metric("scaled_jacobian")
 
 
-@pytest.fixture(scope="module", params=["plain", "lined"])
+@pytest.fixture(scope="module", params=["plain", "lined", "narrow"])
 def meshes(request):
     """Contours and their meshes."""
     pipeline.prepare()
-    asked, is_lined = request.config.getoption("--plates"), request.param == "lined"
-    numbers = np.linspace(0, corpus.COUNT - 1, asked).astype(int)[5 if is_lined else 0 :: 10 if is_lined else 1]
-    if is_lined:
-        numbers = np.append(numbers, [HALVED, NARROW])
-    contour = corpus.lined_contour if is_lined else corpus.plate_contour
-    found = {int(number): contour(int(number), TEMPLATE) for number in numbers}
+    asked = request.config.getoption("--plates")
+    numbers = np.linspace(0, corpus.COUNT - 1, asked).astype(int)
+    chosen = {
+        "plain": numbers,
+        "lined": np.append(numbers[5::10], [HALVED, NARROW]),
+        "narrow": np.append(corpus.COUNT + np.arange(asked // 50), RING),
+    }
+    contour = corpus.lined_contour if request.param == "lined" else corpus.plate_contour
+    found = {int(number): contour(int(number), TEMPLATE) for number in chosen[request.param]}
     return {number: (contour, pipeline.best_mesh(contour, "corpus")) for number, contour in found.items()}
 
 
