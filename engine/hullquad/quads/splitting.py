@@ -2,14 +2,14 @@ r"""Two triangles made quads by splitting every edge on a way between them: ther
 
 ::
 
-     .------.------.            .------.------.
-     |\     |     /|            |\     |     /|       A quad on the way becomes two, or three around a new node where
-     | \    |    / |            | \    |    / |       the way turns. The new node on a triangle's side goes a little way
-     |  .---.---.  |     ->     |  .---.---.  |       into the quad beside it.
-     |  |   |   |  |            |  )---.---(  |
-     |  '---'---'  |            |  '---'---'  |
-     | /    |    \ |            | /    |    \ |
-     '------'------'            '------'------'
+      .-------.-------.                 .-------.-------.
+     /|       |       |\               / \      |      / \
+    < |       |       | >      ->     <   >-----+-----<   >
+     \|       |       |/               \ /      |      \ /
+      '-------'-------'                 '-------'-------'
+
+A quad on the way becomes two, or three around a new node where the way turns. The new node on a triangle's side goes a
+little way into the quad beside it, so that both ends are convex.
 
 One element more for each quad on a straight way. Where all elements are valid before, they are so afterwards.
 """
