@@ -131,15 +131,22 @@ def _sizes(stiffness: sparse.csc_array, wishes: _Wishes, size: float, place: str
     factors = np.stack([np.ones_like(double), np.cos(double), np.sin(double)])
     right = np.zeros((3, count))
     right[0] = _FAINT * size
-    rows = []
     for i in range(3):
         right[i] += _STIFFNESS * np.bincount(wishes.ends[chosen], factors[i] * wishes.lengths[chosen], minlength=count)
-        wish = [np.bincount(wishes.ends[chosen], factors[i] * factors[j], minlength=count) for j in range(3)]
-        row = [sparse.diags_array(_STIFFNESS * both).tocsc() for both in wish]
-        row[i] = row[i] + stiffness + sparse.diags_array(np.full(count, _FAINT)).tocsc()
-        rows.append(row)
-    matrix = sparse.block_array(rows).tocsc()
+    matrix = _size_matrix(stiffness, wishes.ends[chosen], factors)
     return _tamed(solved(matrix, right.ravel(), place).reshape(3, count).T, np.append(wishes.lengths[chosen], size))
+
+
+def _size_matrix(stiffness: sparse.csc_array, ends: Longs, factors: Floats) -> sparse.csc_array:
+    """(3B, 3B) smoothness of m1, m2, m3, and the wishes at the ends of segments, which bring the three together."""
+    count, at = stiffness.shape[0], np.unique(ends)
+    own = (stiffness + sparse.diags_array(np.full(count, _FAINT))).tocoo()
+    wishes = [_STIFFNESS * np.bincount(ends, one * other, minlength=count)[at] for one in factors for other in factors]
+    shifts = count * np.arange(3)[:, None]
+    rows = np.concatenate([(own.row + shifts).ravel(), (at + np.repeat(shifts, 3, axis=0)).ravel()])
+    columns = np.concatenate([(own.col + shifts).ravel(), (at + np.tile(shifts, (3, 1))).ravel()])
+    values = np.concatenate([np.tile(own.data, 3), *wishes])
+    return sparse.coo_array((values, (rows, columns)), shape=(3 * count, 3 * count)).tocsc()
 
 
 def _tamed(sizes: Floats, lengths: Floats) -> Floats:

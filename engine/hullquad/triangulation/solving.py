@@ -1,10 +1,12 @@
-"""Sparse systems of equations, those of large plates in the worker: nothing can interrupt a factorisation but its end.
+"""Sparse systems of equations whose matrix is symmetric and positive definite.
+
+Those of large plates are solved in the worker: nothing can interrupt a factorisation but its end.
 
 The answer is the same to the last bit wherever it is found.
 """
 
 from scipy import sparse
-from scipy.sparse.linalg import splu
+from scipy.sparse.linalg import SuperLU, splu
 
 from hullquad import worker
 from hullquad.arrays import Floats, Ints, floats
@@ -27,7 +29,7 @@ def solved(matrix: sparse.csc_array, right: Floats, place: str) -> Floats:
     """
     count = matrix.shape[0]
     if count < _LARGE:
-        return floats(splu(matrix).solve(right))
+        return floats(_factors(matrix).solve(right))
     parts = matrix.data, matrix.indices, matrix.indptr, right
     memory = _MEMORY + _MEMORY_PER_UNKNOWN * count
     return floats(worker.call(_solution, *parts, seconds=_SECONDS, memory=memory, place=place))
@@ -35,4 +37,14 @@ def solved(matrix: sparse.csc_array, right: Floats, place: str) -> Floats:
 
 def _solution(data: Floats, rows: Ints, starts: Ints, right: Floats) -> Floats:
     count = len(starts) - 1
-    return floats(splu(sparse.csc_array((data, rows, starts), shape=(count, count))).solve(right))
+    return floats(_factors(sparse.csc_array((data, rows, starts), shape=(count, count))).solve(right))
+
+
+def _factors(matrix: sparse.csc_array) -> SuperLU:
+    """Of a symmetric, positive definite matrix.
+
+    No rows need be exchanged in it, so that they can be ordered for the least filling in. Column by column is faster
+    than by larger panels, and takes less room: there are few columns alike where triangles meet.
+    """
+    symmetric = {"SymmetricMode": True}
+    return splu(matrix, "MMD_AT_PLUS_A", diag_pivot_thresh=0.0, relax=1, panel_size=1, options=symmetric)
