@@ -649,17 +649,19 @@ def test_a_rule_set_is_followed_while_a_run_goes_on(meshed, qtbot):
 
 def test_an_element_is_inspected_by_mouse_and_key(meshed, qtbot):
     panel, canvas = meshed.docks.element, meshed.canvas
-    x, y = canvas.viewpoint.camera.pixels(corners(scene(meshed).mesh, 5).mean(axis=0)[None])[0]
+    values, by = scene(meshed).quality.values, scene(meshed).quality.metric
+    worst = int(values.argmin() if by.higher_is_better else values.argmax())  # the key goes on from there
+    x, y = canvas.viewpoint.camera.pixels(corners(scene(meshed).mesh, worst).mean(axis=0)[None])[0]
     place = QPoint(round(canvas.width() / 2 + x), round(canvas.height() / 2 - y))
     QTest.mouseClick(canvas, LEFT, pos=place)
-    assert scene(meshed).view.selection == {5}
+    assert scene(meshed).view.selection == {worst}
     plain = canvas.overlay.grab().toImage()
     press(meshed, KEY.Key_I)
     qtbot.waitUntil(panel.isVisible, timeout=5000)
-    assert panel.title.text() == "Element 6, quad"
+    assert panel.title.text() == f"Element {worst + 1}, quad"
     assert canvas.overlay.grab().toImage() != plain
     press(meshed, KEY.Key_N)
-    assert panel.title.text() != "Element 6, quad"
+    assert panel.title.text() != f"Element {worst + 1}, quad"
     press(meshed, KEY.Key_I)
     qtbot.waitUntil(lambda: panel.visibleRegion().isEmpty(), timeout=5000)
 

@@ -7,14 +7,15 @@ costs `TRIANGLE`, and an element that is not valid more than any number of them.
 
 import numpy as np
 
-from hullquad.arrays import Floats
-from hullquad.quads.draft import Draft
+from hullquad.arrays import Floats, Ints
+from hullquad.quads.draft import Draft, draft
 from hullquad.quads.energy import INVALID, element_energies
 from hullquad.quads.settings import Preference
+from hullquad.quads.settling import settled
 
 WORST = 0.03
 MOST = 25.0
-NUMBER = 0.6
+NUMBER = 0.35
 POOR = 4.0
 """No element counts as worse where others are weighed against it."""
 TRIANGLE = INVALID
@@ -36,6 +37,15 @@ def price(energies: Floats, avoidable: int, usual: float, prefer: Preference) ->
     if prefer is Preference.QUALITY:
         return worst + WORST * (mean + NUMBER * len(energies) / usual + avoidable / len(energies))
     return TRIANGLE * avoidable + mean + WORST * worst + NUMBER * len(energies) / usual
+
+
+def judged(nodes: Floats, elements: Ints, given: int, *, settles: bool) -> Floats:
+    """(E,) energies of elements by which a mesh is judged: with its free nodes where they settle, or as they are."""
+    if not settles or not len(elements):
+        return element_energies(nodes.copy(), elements.astype(np.int64))
+    made = draft(nodes, elements, given, np.empty(0, dtype=np.int64))
+    settled(made)
+    return element_energies(made.nodes, made.element_rows)
 
 
 def element_price(made: Draft, usual: float) -> float:

@@ -30,10 +30,6 @@ _ATTEMPTS = 3
 _SWEEPS = 12
 _LAST_SWEEPS = 40
 _PASSES = 8
-_SHAKING = 2_400_000
-_MOST_SHAKES = 20_000
-"""Shakes times elements, and shakes: small meshes are worth them."""
-_FEWEST_SHAKES = 1000
 _NEAR = 0.02
 _NEARER = 0.001
 """Smoothing ends when no node moves farther than this part of the element size."""
@@ -58,6 +54,14 @@ class Task:
     unavoidable: int
     """Triangles."""
     prefer: Preference = Preference.QUADS
+
+    @property
+    def settles(self) -> bool:
+        """Whether a finished mesh is judged by where its nodes settle (`quads.settling`), or as it is.
+
+        Where the worst element matters most an optimiser will be chosen that gives none up.
+        """
+        return self.prefer is Preference.QUADS
 
     @property
     def least_cost(self) -> float:
@@ -96,13 +100,12 @@ def making(nodes: Floats, triangles: Ints, task: Task, *, is_watched: bool) -> M
 
 
 def shaking(finished_one: States, task: Task, *, is_watched: bool) -> Making:
-    """A finished mesh shaken, the more often the smaller it is."""
+    """A finished mesh shaken."""
     nodes, elements = finished_one.at(0, task.given)
     made, log = draft(nodes, elements, task.given, task.rim_ideal, task.bound), Log(is_watched=is_watched)
     log.begin(made, finished_one)
-    times = min(_MOST_SHAKES, _SHAKING // len(elements))
     costs = Costs(partial(_cost, task=task), partial(element_price, usual=task.usual))
-    yield from shaken(made, change(), ground(made), times if times >= _FEWEST_SHAKES else 0, costs, log)
+    yield from shaken(made, change(), ground(made), costs, log)
     yield from relaxed(made, _LAST_SWEEPS, _NEARER * task.size, log)
     yield _finished(Step.SHAKEN, made, task)
 

@@ -10,8 +10,7 @@ import numpy as np
 
 from hullquad.arrays import Floats, Ints, floats, ints
 from hullquad.quads.cleanup import POOR
-from hullquad.quads.cost import price
-from hullquad.quads.energy import element_energies
+from hullquad.quads.cost import judged, price
 from hullquad.quads.making import Task
 from hullquad.quads.settings import Preference
 from hullquad.quads.stages import compact
@@ -92,7 +91,7 @@ class Patchwork:
     def offer(self, nodes: Floats, elements: Ints, *, are_grids: bool = False) -> bool:
         """Keep what is better of a mesh, or of a part of one; whether anything was."""
         regions = self._cut.regions(elements)
-        values, any_better = element_energies(nodes.copy(), elements.astype(np.int64)), False
+        values, any_better = judged(nodes, elements, self.given, settles=self._task.settles), False
         for region in np.unique(regions).tolist():
             own = regions == region
             price_here = self._price(values[own], elements[own], region)

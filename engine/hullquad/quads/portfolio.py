@@ -14,7 +14,7 @@ from hullquad.quads.insets import inset_points
 from hullquad.quads.making import Task, making, mending, shaking
 from hullquad.quads.mapped import grids
 from hullquad.quads.patchwork import Cutting, Patchwork
-from hullquad.quads.settings import MeshSettings
+from hullquad.quads.settings import MeshSettings, Preference
 from hullquad.quads.stages import States, Step, padded, whole
 from hullquad.topology import edges
 from hullquad.triangulation.contour import MOST_ELEMENTS, Contour
@@ -25,7 +25,7 @@ from hullquad.triangulation.points import aligned_points
 MOST_TRIANGLES = 4 * MOST_ELEMENTS
 """Two for each element, and as many again, so that a size that was allowed is never refused afterwards."""
 
-_EFFORT = 1200
+_EFFORT = 800
 """Elements that all candidates together may have, about; the first one may have any number."""
 _OWN_AREA = 0.8
 _OWN_ANGLE = 30.0
@@ -125,14 +125,24 @@ def trials(contour: Contour, settings: MeshSettings, *, is_watched: bool) -> Ite
             if number == 0 and states is not None and states.cost is not None:
                 count = max(1, min(len(CANDIDATES), _EFFORT // len(states.rows)))
     yield from _mended(work, stuck, (best, max(count, best + 1)), is_watched=is_watched)
+    yield from _shaken(work, (best, max(count, best + 1)), is_watched=is_watched)
+    if settings.prefer is Preference.QUALITY:
+        for trial in trials(contour, attrs.evolve(settings, prefer=Preference.QUADS), is_watched=False):
+            yield None
+            if trial is not None and trial.is_best and work.offer(*trial.states.at(0, work.given)):
+                yield _best(work, trial.states.step, best, max(count, best + 1))
+
+
+def _shaken(work: Patchwork, numbers: tuple[int, int], *, is_watched: bool) -> Iterator[Trial | None]:
+    """States of the best elements of regions that may still be bettered, shaken."""
     if regions := work.open:
         start, settled = whole(Step.SMOOTHED, *work.together(regions)), work.apart_from(regions)
         for states in shaking(start, work.task(regions), is_watched=is_watched):
             if states is not None and states.cost is not None:
                 work.offer(*states.at(0, work.given))
-                yield _best(work, states.step, best, max(count, best + 1))
+                yield _best(work, states.step, *numbers)
             else:
-                yield _trial(work, states, settled, best, max(count, best + 1))
+                yield _trial(work, states, settled, *numbers)
 
 
 def _mended(

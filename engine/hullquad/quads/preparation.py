@@ -9,6 +9,7 @@ from hullquad.quads.matching import improved
 from hullquad.quads.pairs import pairs
 from hullquad.quads.repair import repaired
 from hullquad.quads.shaking import Costs, shaken
+from hullquad.quads.stages import padded
 from hullquad.quads.trial import change, ground
 from hullquad.triangulation.field import Field
 from hullquad.triangulation.points import aligned_points
@@ -32,10 +33,10 @@ def prepare_kernels() -> None:
     list(making(nodes, triangles, task, is_watched=False))
     possible = pairs(np.pad(nodes, ((0, 0), (0, 1))), triangles, np.array([[0.0, 0.0, 1.0]]))
     list(improved(possible, {0}, possible.scores, np.zeros(8)))
-    made = draft(nodes, np.pad(triangles, ((0, 0), (0, 1)), constant_values=-1), 8, task.rim_ideal)
+    made, other = (draft(nodes, padded(triangles), 8, task.rim_ideal) for _ in range(2))
     silence = Log(is_watched=False)
     list(repaired(made, change(), ground(made), 0, silence))
-    list(shaken(made, change(), ground(made), 1, Costs(lambda _: 0.0, lambda _: 0.0), silence))
+    list(shaken(other, change(), ground(other), Costs(lambda _: 0.0, lambda _: 0.0), silence, most=1))
     guide = Field(
         nodes=nodes,
         triangles=triangles,

@@ -20,6 +20,8 @@ _HALVINGS = 5
 _WAYS = np.array([[cos(0.25 * pi * i), sin(0.25 * pi * i)] for i in range(8)])
 """Directions in which a node is tried, (8, 2)."""
 _TRIES = 12
+_OPEN = 0.1
+"""Least J over squared edges (0.5 in a square) from which on Newton's steps take over."""
 _VISITS = 50_000
 """Nodes that are moved before somebody may lose interest: some hundredths of a second."""
 _ENDED = 1_000_000_000
@@ -157,6 +159,8 @@ def _untangle(nodes: Floats, elements: Longs, near: Longs, node: int) -> float:
             value = _worst_corner(nodes, elements, near, node, to_x, to_y, best)
             if value > best:
                 x, y, best = to_x, to_y, value
+        if best > _OPEN:
+            break
         if x == from_x and y == from_y:
             step *= 0.5
     nodes[node, 0], nodes[node, 1] = x, y

@@ -10,8 +10,9 @@ import numpy as np
 
 from hullquad.arrays import Floats, Longs
 from hullquad.metrics.compiled import called, plain, woven
-from hullquad.quads.draft import ELEMENTS, NODES, ZERO, Draft, attach, corner_count, detach, new_stamp
+from hullquad.quads.draft import ELEMENTS, NODES, ONE, ZERO, Draft, attach, corner_count, detach, new_stamp
 from hullquad.quads.energy import INVALID, element_energy
+from hullquad.quads.settling import settle
 from hullquad.quads.smoothing import relax
 
 REMOVED, ADDED, PLACED = range(3)
@@ -28,6 +29,9 @@ ONE_RING, TWO_RINGS = plain(1), plain(2)
 
 ROUGHLY, FAIRLY, WELL, FULLY = plain(2), plain(3), plain(4), plain(8)
 """Sweeps of that smoothing."""
+
+_HOPE = 4.0
+"""Energy that smoothing may still win after its first sweep, where a change is not worth more by then."""
 
 NEVER = -1e12
 """Gain of a change that cannot be."""
@@ -60,6 +64,8 @@ class Ground(NamedTuple):
     """(64, 4) elements that went."""
     size: Longs
     """(1,) number of nodes in the region of the last trial."""
+    settling: Longs
+    """(1,) sweeps by which nodes settle before a change is judged (`quads.settling`), 0 for those that do not."""
     price: Floats
     """(1,) what an element costs beside its energy."""
     search: Longs
@@ -84,6 +90,7 @@ def ground(made: Draft) -> Ground:
         np.zeros_like(made.nodes),
         np.zeros(_MOST, dtype=np.int64),
         np.zeros((_MOST, 4), dtype=np.int64),
+        np.zeros(1, dtype=np.int64),
         np.zeros(1, dtype=np.int64),
         np.array([ELEMENT]),
         np.zeros((4, max(len(made.nodes), len(made.elements))), dtype=np.int64),
@@ -244,6 +251,21 @@ def _taken_back(made: Draft, wish: Change, floor: Ground, nodes: int, node_rows:
     made.tallies[NODES], made.tallies[ELEMENTS] = node_rows, element_rows
 
 
+@woven
+def _gain(made: Draft, floor: Ground, nodes: int, sweeps: int, before: float, least: float) -> float:
+    """Energy that the elements at the region's nodes lose by smoothing, or by settling then, if that may be enough."""
+    settling = floor.settling[0]
+    relax(made, floor.region, nodes, sweeps if settling == 0 else ONE, 0.0)
+    after, valid = _energy_around(made, floor, nodes)
+    if settling > 0 and valid and before - after > least - _HOPE:
+        relax(made, floor.region, nodes, sweeps - 1, 0.0)
+        after, valid = _energy_around(made, floor, nodes)
+        if valid and before - after > least:
+            settle(made, floor.region, nodes, settling)
+            after, valid = _energy_around(made, floor, nodes)
+    return before - after if valid else NEVER
+
+
 @called
 def attempt(made: Draft, wish: Change, floor: Ground, rings: int, sweeps: int, least: float) -> float:
     """Gain of a change after smoothing; it is kept if that is above the least, with `inf` never."""
@@ -256,9 +278,7 @@ def attempt(made: Draft, wish: Change, floor: Ground, rings: int, sweeps: int, l
         floor.places[i, 0], floor.places[i, 1] = made.nodes[floor.region[i], 0], made.nodes[floor.region[i], 1]
     before, _ = _energy_around(made, floor, count)
     _applied(made, wish, floor)
-    relax(made, floor.region, count, sweeps, 0.0)
-    after, valid = _energy_around(made, floor, count)
-    gain = before - after if valid else NEVER
+    gain = _gain(made, floor, count, sweeps, before, least)
     if gain <= least:
         _taken_back(made, wish, floor, count, node_rows, element_rows)
     return gain
