@@ -9,6 +9,7 @@ from hullquad import pipeline
 from hullquad.formats import read_plates
 from hullquad.metrics import metric
 from hullquad.metrics.values import judged_values, valid_elements
+from hullquad.quads import making
 from hullquad.quads.settings import MeshSettings, Preference
 from hullquad.quads.stages import Step
 from hullquad.topology import edges
@@ -99,6 +100,17 @@ def test_quality_may_be_preferred_to_the_fewest_triangles():
         return float(judged_values(metric("shape"), mesh.points, mesh.topology.elements, mesh.normals)[0].min())
 
     assert worst(Preference.QUALITY) >= worst(Preference.QUADS)
+
+
+def test_a_large_mesh_is_not_shaken(monkeypatch):
+    contour = CONTOURS["hopper_web_ring-hopper_web_ring coarse"]
+
+    def steps():
+        return {stage.step for stage in pipeline.best_stages(contour) if stage is not None}
+
+    assert Step.SHAKEN in steps()
+    monkeypatch.setattr(making, "_LARGE", 10)
+    assert Step.SHAKEN not in steps()
 
 
 def test_the_same_plate_gives_the_same_best_mesh():

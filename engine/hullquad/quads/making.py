@@ -30,6 +30,8 @@ _ATTEMPTS = 3
 _SWEEPS = 12
 _LAST_SWEEPS = 40
 _PASSES = 8
+_LARGE = 30_000
+"""Elements of a large mesh."""
 _NEAR = 0.02
 _NEARER = 0.001
 """Smoothing ends when no node moves farther than this part of the element size."""
@@ -56,12 +58,17 @@ class Task:
     prefer: Preference = Preference.QUADS
 
     @property
+    def is_large(self) -> bool:
+        """Whether a mesh has one candidate and is not shaken: it would take long, and few of its elements are poor."""
+        return self.usual > _LARGE
+
+    @property
     def settles(self) -> bool:
         """Whether a finished mesh is judged by where its nodes settle (`quads.settling`), or as it is.
 
         Where the worst element matters most an optimiser will be chosen that gives none up.
         """
-        return self.prefer is Preference.QUADS
+        return self.prefer is Preference.QUADS and not self.is_large
 
     @property
     def least_cost(self) -> float:

@@ -135,9 +135,10 @@ def trials(contour: Contour, settings: MeshSettings, *, is_watched: bool) -> Ite
 
 def _shaken(work: Patchwork, numbers: tuple[int, int], *, is_watched: bool) -> Iterator[Trial | None]:
     """States of the best elements of regions that may still be bettered, shaken."""
-    if regions := work.open:
+    regions = work.open
+    if regions and not (task := work.task(regions)).is_large:
         start, settled = whole(Step.SMOOTHED, *work.together(regions)), work.apart_from(regions)
-        for states in shaking(start, work.task(regions), is_watched=is_watched):
+        for states in shaking(start, task, is_watched=is_watched):
             if states is not None and states.cost is not None:
                 work.offer(*states.at(0, work.given))
                 yield _best(work, states.step, *numbers)
