@@ -25,9 +25,9 @@ HOT, WARM, COLD = 6.0, 1.0, 0.03
 """Energy that a change may cost with a probability of 1/e: at the start of the first round and of the second, and at
 the end of each."""
 MOST = 20_000
-_LEAST, _ALL, _EACH = 6000, 2_000_000, 400
+_LEAST, _ALL, _EACH = 4000, 2_000_000, 400
 """Changes of a round: at most, at least, times elements, and at most for each element that may be drawn."""
-_PAUSES, _FEWEST_PAUSES, _VISITS = 100, 4, 40_000
+_PAUSES, _FEWEST_PAUSES, _VISITS = 100, 4, 16_000
 """Looks at the whole mesh in a round: at most, at least, and times elements. Somebody may lose interest then."""
 _SHORTEST = 100
 """Changes from one look to the next, at least."""
