@@ -1,8 +1,9 @@
 """What a finished mesh costs: by this the best of several is chosen.
 
-The cost is the mean energy of the elements (`quads.energy`: 0 for a square), plus `WORST` times that of the worst one
-up to `MOST`, plus `NUMBER` times the number of elements over the usual number. A triangle that could have been avoided
-costs `TRIANGLE`, and an element that is not valid more than any number of them.
+The cost is the mean energy of the elements (`quads.energy`: 0 for a square), plus `WORST` times that of the worst one,
+each up to `MOST`, plus `NUMBER` times the number of elements over the usual number: an element that cannot be mended
+does not outweigh all others. A triangle that could have been avoided costs `TRIANGLE`, and an element that is not valid
+more than any number of them.
 """
 
 import numpy as np
@@ -15,7 +16,7 @@ from hullquad.quads.settling import settled
 
 WORST = 0.03
 MOST = 25.0
-NUMBER = 0.35
+NUMBER = 0.42
 POOR = 4.0
 """No element counts as worse where others are weighed against it."""
 TRIANGLE = INVALID
@@ -31,7 +32,7 @@ def cost(made: Draft, unavoidable: int, usual: float, prefer: Preference) -> flo
 
 def price(energies: Floats, avoidable: int, usual: float, prefer: Preference) -> float:
     """Cost of elements of these energies, among them so many triangles that could have been avoided."""
-    worst, mean = min(float(energies.max()), MOST), float(energies.mean())
+    worst, mean = min(float(energies.max()), MOST), float(np.minimum(energies, MOST).mean())
     if energies.max() >= INVALID:
         return INVALID * float(energies.max())
     if prefer is Preference.QUALITY:

@@ -25,7 +25,7 @@ from hullquad.triangulation.points import aligned_points
 MOST_TRIANGLES = 4 * MOST_ELEMENTS
 """Two for each element, and as many again, so that a size that was allowed is never refused afterwards."""
 
-_EFFORT = 800
+_EFFORT = 1200
 """Elements that all candidates together may have, about; the first one may have any number."""
 _OWN_AREA = 0.8
 _OWN_ANGLE = 30.0

@@ -29,6 +29,8 @@ _LEAST, _ALL, _EACH = 4000, 2_000_000, 400
 """Changes of a round: at most, at least, times elements, and at most for each element that may be drawn."""
 _PAUSES, _FEWEST_PAUSES, _VISITS = 100, 4, 16_000
 """Looks at the whole mesh in a round: at most, at least, and times elements. Somebody may lose interest then."""
+_ENOUGH = 50
+"""Changes for each element that may be drawn, with which a round begins at its full heat: fewer would only spoil it."""
 _SHORTEST = 100
 """Changes from one look to the next, at least."""
 _SEED = 20
@@ -70,6 +72,7 @@ class _Drawn(NamedTuple):
 def _drawn(chance: np.random.Generator, made: Draft, most: int, hot: float) -> _Drawn:
     size, near = len(made.element_rows), len(_near_poor(made))
     times = min(most, MOST, max(_LEAST, _ALL // size), _EACH * near)
+    hot = max(COLD, hot * min(1.0, times / max(1, _ENOUGH * near)))
     cooling = hot * (COLD / hot) ** (np.arange(times) / max(times, 1))
     return _Drawn(chance.integers(0, 2**31, (times, _DRAWS)), cooling * np.log(1.0 - chance.random(times)))
 
