@@ -20,8 +20,7 @@ NUMBER = 0.42
 POOR = 4.0
 """No element counts as worse where others are weighed against it."""
 TRIANGLE = INVALID
-"""More than anything else that is valid can cost: in strips of a tenth of an element the mean energy is in thousands.
-"""
+"""More than anything else that is valid can cost."""
 
 
 def cost(made: Draft, unavoidable: int, usual: float, prefer: Preference) -> float:

@@ -1,4 +1,6 @@
-"""A small mesh shaken: changes are drawn at random, and those that cost something stay the more rarely the dearer.
+"""A mesh shaken near its poor elements.
+
+Changes are drawn at random, and those that cost something stay the more rarely the dearer.
 
 That is simulated annealing (S. Kirkpatrick, C. D. Gelatt, M. P. Vecchi, "Optimization by simulated annealing", Science
 220:671, 1983): so a mesh gets out of states that no single change makes better. The random numbers come from a
@@ -71,7 +73,7 @@ class _Drawn(NamedTuple):
 
 def _drawn(chance: np.random.Generator, made: Draft, most: int, hot: float) -> _Drawn:
     size, near = len(made.element_rows), len(_near_poor(made))
-    times = min(most, MOST, max(_LEAST, _ALL // size), _EACH * near)
+    times = min(most, max(_LEAST, _ALL // size), _EACH * near)
     hot = max(COLD, hot * min(1.0, times / max(1, _ENOUGH * near)))
     cooling = hot * (COLD / hot) ** (np.arange(times) / max(times, 1))
     return _Drawn(chance.integers(0, 2**31, (times, _DRAWS)), cooling * np.log(1.0 - chance.random(times)))
